@@ -1,0 +1,46 @@
+# The newcomer's commands. Each does all the set-up that it needs.
+#   make demo    install what is missing, build, run the bundled case from image to permeability
+#   make check   install what is missing, build, run the tests (this is what CI runs)
+#   make bench   speed: kernels against the memory bandwidth of this machine
+BUILD := build/release
+export CCACHE_BASEDIR := $(CURDIR)
+
+.PHONY: all setup build demo check bench compare-openfoam validate lint format fuzz clean
+
+all: build
+
+setup:
+	@tools/install_packages.sh
+
+build: setup
+	@cmake --preset release -Wno-dev > build-configure.log 2>&1 || { cat build-configure.log; exit 1; }
+	@rm -f build-configure.log
+	@cmake --build --preset release
+
+demo: build
+	@tools/demo.sh
+
+check: build
+	@tools/check.sh
+
+bench: build
+	@cmake --build --preset release --target porefines_bench
+	@$(BUILD)/bench/porefines_bench
+
+compare-openfoam: build
+	@bench/openfoam/compare.sh
+
+validate: build
+	@ctest --preset validate
+
+lint: setup
+	@tools/lint.sh
+
+fuzz: setup
+	@tools/fuzz.sh
+
+format:
+	@git ls-files '*.cpp' '*.hpp' | xargs clang-format -i
+
+clean:
+	@rm -rf build

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/types.hpp"
+
+namespace porefines::config {
+
+/// [run]: what belongs to the run as a whole.
+struct Run {
+  std::string title;
+  std::string reference;
+  std::string output_dir = "out";
+  unsigned long long random_seed = 1;
+};
+
+enum class GeometryKind { image, spheres, cylinders, empty };
+enum class Keep { all, percolating };  ///< which pores stay open
+enum class Surface { smooth, voxel };  ///< sub-pixel surface, or the pixel staircase itself
+
+/// [geometry]: where the grains are. Lengths in m.
+struct Geometry {
+  GeometryKind kind = GeometryKind::image;
+  std::string source;            ///< path, resolved against the folder of the case file
+  Real pixel_size = 0;           ///< [m] image
+  int pore_value = 255;          ///< binary image: which value is pore
+  std::optional<int> threshold;  ///< grey image: grey level 0..255, pore is >= threshold
+  bool otsu = false;             ///< threshold = "otsu"
+  bool pore_is_bright = true;    ///< with a threshold: bright = pore
+  Int3 raw_size{0, 0, 0};        ///< raw volumes: voxels along x, y, z
+  Real depth = 0;                ///< [m] extrusion of a 2D image along z
+  std::array<Real, 3> size{};    ///< [m] spheres, cylinders, empty: the box
+  Real list_unit = 1;            ///< [m] unit of the numbers in a list
+  bool periodic_images = true;   ///< grains reaching over a periodic face continue there
+  Surface surface = Surface::smooth;
+  Real smooth = -1;               ///< [m] radius of the smoothing; negative: one pixel
+  Keep keep = Keep::percolating;  ///< drop pores that do not connect inlet and outlet
+  int remove_grains_below = 0;    ///< [pixels] noise and islands: grains smaller than this vanish
+  int fill_pores_below = 0;       ///< [pixels] pores smaller than this are filled
+  Real simplify = 0.5;            ///< [pixels] tolerance of the simplified outlines
+  Real minimum_throat = 0;        ///< [m] narrower throats are reopened to this width
+  std::array<Int3, 2> crop{};     ///< image: {first, past-last} voxel; zeros: everything
+};
+
+/// [grid]
+struct Grid {
+  Real cell_size = 0;                 ///< [m]; 0 when `cells` is given
+  Int3 cells{0, 0, 0};                ///< 0 when `cell_size` is given
+  std::optional<Int3> decomposition;  ///< ranks along x, y, z; absent: chosen
+};
+
+/// [fluid]
+struct Fluid {
+  Real density = 998.2;       ///< [kg/m^3]
+  Real viscosity = 1.002e-3;  ///< [Pa s]
+};
+
+enum class DriveKind { pressure, flow_rate, velocity };
+
+/// An inlet or outlet: one box face with a pressure, a flow rate or a uniform velocity.
+struct Opening {
+  BoxFace face = BoxFace::x_low;
+  DriveKind kind = DriveKind::pressure;
+  Real value = 0;  ///< [Pa], [m^3/s] or [m/s]
+};
+
+enum class Regime { stokes };
+
+/// [flow]
+struct Flow {
+  Regime regime = Regime::stokes;
+  std::array<bool, 3> periodic{};
+  std::array<Real, 3> pressure_gradient{};  ///< [Pa/m] periodic drive: the force is along +gradient
+  std::optional<Opening> inlet;
+  std::optional<Opening> outlet;
+  std::array<bool, 6> slip{};  ///< indexed by BoxFace; the remaining faces are no-slip walls
+  Real reservoir = -1;         ///< [m] open fluid before and after the sample; negative: automatic
+  bool tensor = false;         ///< full permeability tensor (periodic only)
+  Real tolerance = 1e-6;       ///< relative residual of the solve
+  int max_cycles = 200;
+};
+
+/// [analysis]: derived geometry numbers.
+struct Analysis {
+  Real fine_diameter = 0;  ///< [m] for o/d and D/d; 0: not asked
+};
+
+/// [[output]]
+struct Output {
+  bool fields = true;    ///< fields.xdmf + fields.h5
+  bool pictures = true;  ///< PNG slices
+};
+
+/// A whole case in SI, defaults filled.
+struct Case {
+  std::string path;  ///< the case file as the user named it
+  Run run;
+  Geometry geometry;
+  Grid grid;
+  Fluid fluid;
+  Flow flow;
+  Analysis analysis;
+  Output output;
+};
+
+}  // namespace porefines::config
