@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MPL-2.0
+#include "core/signals.hpp"
+
+#include <csignal>
+
+namespace porefines {
+namespace {
+
+// A handler can reach nothing but a global of this type.
+volatile std::sig_atomic_t signal_flag = 0;
+
+void remember(int number) {
+  signal_flag = number;
+  std::signal(number, SIG_DFL);
+}
+
+}  // namespace
+
+void watch_signals() {
+  signal_flag = 0;
+  std::signal(SIGINT, remember);
+  std::signal(SIGTERM, remember);
+}
+
+int caught_signal() {
+  return signal_flag;
+}
+
+}  // namespace porefines
