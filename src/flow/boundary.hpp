@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <array>
+
+#include "core/types.hpp"
+
+namespace porefines::flow {
+
+/// What the fluid meets at a face of the box.
+///
+/// - periodic: the opposite face.
+/// - wall: no slip, u = 0.
+/// - slip: symmetry plane, u_n = 0 and du_t/dn = 0.
+/// - pressure: p given on the face, flow crosses it normally (u_t = 0, du_n/dn = 0): the symmetry
+///   of a Stokes flow whose pressure is odd about the face. Exact for a straight duct.
+/// - velocity: u_n given where the face is open, u_t = 0.
+enum class FaceKind { periodic, wall, slip, pressure, velocity };
+
+/// Kinds of the six box faces, indexed by BoxFace.
+struct Boundaries {
+  std::array<FaceKind, 6> kind{FaceKind::periodic, FaceKind::periodic, FaceKind::periodic,
+                               FaceKind::periodic, FaceKind::periodic, FaceKind::periodic};
+
+  [[nodiscard]] FaceKind at(int axis, bool high) const { return kind[2 * axis + (high ? 1 : 0)]; }
+  [[nodiscard]] bool periodic(int axis) const { return at(axis, false) == FaceKind::periodic; }
+  [[nodiscard]] std::array<bool, 3> periodic() const {
+    return {periodic(0), periodic(1), periodic(2)};
+  }
+  /// Does a velocity unknown live on this box face?
+  [[nodiscard]] bool open(int axis, bool high) const {
+    const FaceKind k = at(axis, high);
+    return k == FaceKind::periodic || k == FaceKind::pressure;
+  }
+};
+
+}  // namespace porefines::flow

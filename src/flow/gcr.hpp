@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <functional>
+
+#include "flow/hierarchy.hpp"
+#include "flow/operator.hpp"
+
+namespace porefines::flow {
+
+struct SolveOptions {
+  Real tolerance = 1e-6;      ///< of the residual norm, relative to `reference`
+  Real reference = 0;         ///< norm that 1 stands for; 0: norm of the first residual
+  int max_cycles = 200;
+  int directions = 2;         ///< previous search directions kept
+  std::function<void(int cycle, Real residual)> progress;  ///< called on every rank
+  std::function<bool()> interrupted;                       ///< asked on every rank, same answer
+};
+
+struct SolveReport {
+  int cycles = 0;
+  Real residual = 0;  ///< relative, recomputed from the solution in double precision
+  bool converged = false;
+};
+
+/// Solves K x = b by the generalised conjugate residual method, preconditioned by one multigrid
+/// cycle in single precision.
+///
+///     z = cycle(r);  q = K z;  orthogonalise q (and z) against the previous ones;
+///     alpha = (r, q)/(q, q);  x += alpha z;  r -= alpha q
+///
+/// x and r are double; directions are float. Since rounding of q lets r drift from b - K x by
+/// about 1e-7, the true residual is recomputed before convergence is claimed and, where needed,
+/// the iteration goes on from it: any tolerance down to 1e-12 can be asked for.
+/// Eisenstat, Elman & Schultz, SIAM J. Numer. Anal. 20 (1983) 345-357.
+/// Two reductions per cycle; collective.
+SolveReport solve_gcr(const par::Communicator& comm, Hierarchy& hierarchy, Operator& k,
+                      const Packed<double>& b, Packed<double>& x, const SolveOptions& options);
+
+}  // namespace porefines::flow

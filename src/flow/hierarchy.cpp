@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MPL-2.0
+#include "flow/hierarchy.hpp"
+
+#include <algorithm>
+#include <span>
+
+#include "flow/smoother.hpp"
+
+namespace porefines::flow {
+
+namespace {
+
+constexpr int sweeps_per_side = 2;
+constexpr int coarsest_sweeps = 20;
+
+std::array<std::vector<Real>, 3> fine_widths(const Int3& cells, const Vec3& spacing) {
+  std::array<std::vector<Real>, 3> w;
+  for (int a = 0; a < 3; ++a) {
+    w[a].assign(static_cast<std::size_t>(cells[a]), spacing[a]);
+  }
+  return w;
+}
+
+std::array<std::vector<Real>, 3> halved(const std::array<std::vector<Real>, 3>& fine) {
+  std::array<std::vector<Real>, 3> coarse;
+  for (int a = 0; a < 3; ++a) {
+    const std::size_t n = fine[a].size();
+    coarse[a].assign((n + 1) / 2, 0);
+    for (std::size_t i = 0; i < n; ++i) {
+      coarse[a][i / 2] += fine[a][i];
+    }
+  }
+  return coarse;
+}
+
+par::Decomposition whole(const Int3& cells) {
+  par::Decomposition d;
+  d.cells = cells;
+  for (int a = 0; a < 3; ++a) {
+    d.cuts[a] = {0, cells[a]};
+  }
+  return d;
+}
+
+/// May the level below stay spread over the ranks? Its cuts must fall on even cells, and its blocks
+/// must hold their ghosts.
+bool can_stay_distributed(const par::Decomposition& fine) {
+  const par::Decomposition coarse = fine.coarsened();
+  if (fine.alignment < 4 || product(coarse.cells) <= Hierarchy::replicate_below) {
+    return false;
+  }
+  for (int a = 0; a < 3; ++a) {
+    for (int b = 0; coarse.ranks[a] > 1 && b < coarse.ranks[a]; ++b) {
+      if (coarse.cuts[a][b + 1] - coarse.cuts[a][b] < sweep_depth + 1) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// d = (1 + sum e M_nb) / M: then A M = 1 holds on the coarse level too.
+void homogenise(Level& level) {
+  const std::array<float*, 3> fields{level.mobility[0].data(), level.mobility[1].data(),
+                                     level.mobility[2].data()};
+  level.halo.exchange(fields, 1);
+  const grid::Block& b = level.block;
+  for (int c = 0; c < 3; ++c) {
+    const float* m = level.mobility[c].data();
+    float* inverse = level.inverse_diagonal[c].data();
+    for (int k = 0; k <= b.n[2]; ++k) {
+      for (int j = 0; j <= b.n[1]; ++j) {
+        for (int i = 0; i <= b.n[0]; ++i) {
+          const std::ptrdiff_t at = b.at(i, j, k);
+          if (m[at] <= 0) {
+            continue;
+          }
+          const Int3 index{i, j, k};
+          float neighbours = 0;
+          for (int t = 0; t < 3; ++t) {
+            const auto& axis = level.axis[t];
+            const std::size_t here = index[t] + axis.offset;
+            const std::ptrdiff_t s = b.stride(t);
+            neighbours += t == c ? axis.face_low[here] * m[at - s] + axis.face_high[here] * m[at + s]
+                                 : axis.cell_low[here] * m[at - s] + axis.cell_high[here] * m[at + s];
+          }
+          inverse[at] = m[at] / (1 + neighbours);
+        }
+      }
+    }
+  }
+  const std::array<float*, 3> inverses{level.inverse_diagonal[0].data(),
+                                       level.inverse_diagonal[1].data(),
+                                       level.inverse_diagonal[2].data()};
+  level.halo.exchange(inverses, sweep_depth);
+  level.halo.exchange(fields, sweep_depth);
+  finish_level(level);
+}
+
+}  // namespace
+
+Hierarchy::Hierarchy(const par::Communicator& comm, const par::Decomposition& cut, const Vec3& spacing,
+                     const Boundaries& boundaries)
+    : comm_(comm), boundaries_(boundaries) {
+  levels_.emplace_back(comm, cut, fine_widths(cut.cells, spacing), boundaries, sweep_depth, true);
+  levels_.front().replicated = comm.size() == 1;
+}
+
+void Hierarchy::build() {
+  solve_mobility();
+  while (add_coarse_level()) {
+  }
+}
+
+void Hierarchy::solve_mobility() {
+  Level& fine = finest();
+  constexpr float omega = 1.6F;
+  mobility_sweeps_ = 24;
+  for (int c = 0; c < 3; ++c) {
+    fine.f[c] = fine.weight[c];
+    std::fill(fine.u[c].begin(), fine.u[c].end(), 0.0F);
+    relax_mobility(fine, c, mobility_sweeps_, omega);
+    // Over-relaxation may leave a face below what it would have all alone.
+    for (std::size_t at = 0; at < fine.block.size; ++at) {
+      const float alone = fine.weight[c][at] * fine.inverse_diagonal[c][at];
+      fine.mobility[c][at] = std::max(fine.u[c][at], alone / 2);
+    }
+  }
+  const std::array<float*, 3> fields{fine.mobility[0].data(), fine.mobility[1].data(),
+                                     fine.mobility[2].data()};
+  fine.halo.exchange(fields, sweep_depth);
+}
+
+bool Hierarchy::add_coarse_level() {
+  Level& fine = levels_.back();
+  if (product(fine.block.global) == 1) {
+    return false;
+  }
+  const par::Decomposition coarse_cut = fine.decomposition.coarsened();
+  const bool replicated = fine.replicated || !can_stay_distributed(fine.decomposition);
+  const par::Communicator group = replicated ? par::Communicator::self() : comm_;
+  levels_.emplace_back(group, replicated ? whole(coarse_cut.cells) : coarse_cut, halved(fine.widths),
+                       boundaries_, sweep_depth, false);
+  Level& coarse = levels_.back();
+  coarse.replicated = replicated;
+  transfers_.emplace_back(comm_, fine, coarse, boundaries_);
+  transfers_.back().restrict_mobility(fine, coarse);
+  homogenise(coarse);
+  return true;
+}
+
+std::size_t Hierarchy::bytes() const {
+  std::size_t total = 0;
+  for (const Level& level : levels_) {
+    total += level.bytes();
+  }
+  return total;
+}
+
+namespace {
+
+void smooth(Level& level, int count, bool reversed, bool from_zero) {
+  for (int s = 0; s < count; ++s) {
+    sweep(level, reversed, from_zero && s == 0);
+  }
+}
+
+void clear_unknowns(Level& level) {
+  for (Floats& field : level.u) {
+    std::fill(field.begin(), field.end(), 0.0F);
+  }
+  std::fill(level.p.begin(), level.p.end(), 0.0F);
+}
+
+void visit(Hierarchy& hierarchy, int l, bool from_zero) {
+  Level& level = hierarchy.level(l);
+  if (from_zero) {
+    clear_unknowns(level);
+    const std::array<float*, 4> right_hand_side{level.f[0].data(), level.f[1].data(),
+                                                level.f[2].data(), level.g.data()};
+    level.halo.exchange(right_hand_side, sweep_depth);
+  }
+  if (l + 1 == hierarchy.size()) {
+    smooth(level, coarsest_sweeps, false, from_zero);
+    return;
+  }
+  smooth(level, sweeps_per_side, false, from_zero);
+  find_residual(level);
+  hierarchy.transfer(l).restrict_residual(level, hierarchy.level(l + 1));
+  visit(hierarchy, l + 1, true);
+  if (l >= 1) {
+    visit(hierarchy, l + 1, false);
+  }
+  hierarchy.transfer(l).prolong(hierarchy.level(l + 1), level);
+  smooth(level, sweeps_per_side, true, false);
+}
+
+}  // namespace
+
+void cycle(Hierarchy& hierarchy) { visit(hierarchy, 0, true); }
+
+}  // namespace porefines::flow

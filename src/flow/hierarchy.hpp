@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <deque>
+#include <vector>
+
+#include "flow/level.hpp"
+#include "flow/transfer.hpp"
+
+namespace porefines::flow {
+
+/// The levels of the multigrid: the finest spread over the ranks, coarse ones homogenised from the
+/// mobility, the coarsest held whole by every rank.
+///
+/// Every axis is halved (n -> ceil(n/2), the last cell may have one child) until it has one cell.
+/// A level of at most `replicate_below` cells is gathered: all ranks then do the same small work,
+/// with no messages.
+class Hierarchy {
+ public:
+  static constexpr Index replicate_below = 40'000;
+
+  /// Makes the finest level, empty; fill it with link_to_surface or link_to_voxels.
+  /// @param spacing  cell sizes, in units of the cell along x
+  Hierarchy(const par::Communicator& comm, const par::Decomposition& cut, const Vec3& spacing,
+            const Boundaries& boundaries);
+
+  /// Solves the mobility and makes the coarse levels; call once the finest level is linked.
+  void build();
+
+  [[nodiscard]] Level& finest() { return levels_.front(); }
+  [[nodiscard]] const Level& finest() const { return levels_.front(); }
+  [[nodiscard]] int size() const { return static_cast<int>(levels_.size()); }
+  [[nodiscard]] Level& level(int l) { return levels_[l]; }
+  [[nodiscard]] const Transfer& transfer(int fine) const { return transfers_[fine]; }
+  [[nodiscard]] std::size_t bytes() const;
+  [[nodiscard]] int mobility_sweeps() const { return mobility_sweeps_; }
+
+ private:
+  void solve_mobility();
+  bool add_coarse_level();
+
+  par::Communicator comm_;
+  Boundaries boundaries_;
+  std::deque<Level> levels_;
+  std::vector<Transfer> transfers_;
+  int mobility_sweeps_ = 0;
+};
+
+/// One multigrid cycle for the system whose right-hand side is in f and g of the finest level (owned
+/// values suffice); leaves the correction in u and p, starting from zero.
+///
+/// W cycle with two sweeps before and after: levels from the third on are visited twice.
+void cycle(Hierarchy& hierarchy);
+
+}  // namespace porefines::flow

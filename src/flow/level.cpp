@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MPL-2.0
+#include "flow/level.hpp"
+
+#include <algorithm>
+
+namespace porefines::flow {
+
+Level::Level(const par::Communicator& comm, const par::Decomposition& cut,
+             std::array<std::vector<Real>, 3> cell_widths, const Boundaries& boundaries,
+             int ghost_depth, bool finest)
+    : decomposition(cut),
+      block(grid::make_block(cut, comm.rank(), boundaries.periodic(), ghost_depth)),
+      halo(comm, cut, block, boundaries.periodic()),
+      widths(std::move(cell_widths)) {
+  for (int a = 0; a < 3; ++a) {
+    axis[a] = make_axis(block, a, widths[a], boundaries);
+  }
+  for (Floats3* fields : {&inverse_diagonal, &mobility, &u, &f, &r}) {
+    for (Floats& field : *fields) {
+      field.assign(block.size, 0.0F);
+    }
+  }
+  for (Floats* field : {&push, &p, &g, &rg}) {
+    field->assign(block.size, 0.0F);
+  }
+  if (finest) {
+    for (Floats& field : weight) {
+      field.assign(block.size, 0.0F);
+    }
+  }
+}
+
+std::size_t Level::bytes() const {
+  const std::size_t fields = 19 + (weighted() ? 3 : 0);
+  return fields * block.size * sizeof(float) + lines.x.size() * sizeof(int) +
+         lines.row_first.size() * sizeof(int);
+}
+
+void Level::exchange_unknowns(int depth) {
+  const std::array<float*, 4> fields{u[0].data(), u[1].data(), u[2].data(), p.data()};
+  halo.exchange(fields, depth);
+}
+
+namespace {
+
+void find_active_lines(Level& level) {
+  const grid::Block& b = level.block;
+  level.lines.row_first.clear();
+  level.lines.x.clear();
+  const auto any = [](const Floats& field, std::ptrdiff_t at) {
+    return std::any_of(field.begin() + at, field.begin() + at + grid::line_width,
+                       [](float value) { return value != 0; });
+  };
+  for (int k = -b.ghost[2]; k <= b.n[2] + b.ghost[2]; ++k) {
+    for (int j = -b.ghost[1]; j <= b.n[1] + b.ghost[1]; ++j) {
+      level.lines.row_first.push_back(static_cast<int>(level.lines.x.size()));
+      for (int line = 0; line < b.lines(); ++line) {
+        const int i = -b.ghost[0] + line * grid::line_width;
+        const std::ptrdiff_t at = b.at(i, j, k);
+        if (any(level.inverse_diagonal[0], at) || any(level.inverse_diagonal[1], at) ||
+            any(level.inverse_diagonal[2], at)) {
+          level.lines.x.push_back(i);
+        }
+      }
+    }
+  }
+  level.lines.row_first.push_back(static_cast<int>(level.lines.x.size()));
+}
+
+/// push = 1 / sum over the six faces of W^2 grad div / d.
+void find_push(Level& level) {
+  const grid::Block& b = level.block;
+  const auto& ax = level.axis;
+  const int reach[3] = {b.ghost[0], b.ghost[1], b.ghost[2]};
+  const auto face = [&](int a, std::ptrdiff_t at, int i) {
+    const float w = level.weighted() ? level.weight[a][at] : 1.0F;
+    return w * w * level.inverse_diagonal[a][at] * ax[a].gradient[i + ax[a].offset];
+  };
+  for (int k = -reach[2]; k < b.n[2] + reach[2]; ++k) {
+    for (int j = -reach[1]; j < b.n[1] + reach[1]; ++j) {
+      for (int i = -reach[0]; i < b.n[0] + reach[0]; ++i) {
+        const std::ptrdiff_t at = b.at(i, j, k);
+        const int index[3] = {i, j, k};
+        float sum = 0;
+        for (int a = 0; a < 3; ++a) {
+          sum += ax[a].divergence[index[a] + ax[a].offset] *
+                 (face(a, at, index[a]) + face(a, at + b.stride(a), index[a] + 1));
+        }
+        level.push[at] = sum > 0 ? 1 / sum : 0.0F;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void finish_level(Level& level) {
+  find_active_lines(level);
+  find_push(level);
+}
+
+}  // namespace porefines::flow

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MPL-2.0
+#include "flow/links.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace porefines::flow {
+
+namespace {
+
+constexpr Real shortest_link = 0.02;  ///< cells
+
+/// Walks the faces of one component, ghosts included, where the grid or its periodic images exist.
+class Faces {
+ public:
+  Faces(const Level& level, const Boundaries& boundaries, int component)
+      : level_(level), boundaries_(boundaries), component_(component) {
+    for (int a = 0; a < 3; ++a) {
+      spacing_[a] = level.widths[a].front();
+    }
+  }
+
+  /// Global index range along an axis that may hold an unknown: no faces on or beyond closed ends.
+  [[nodiscard]] bool exists(int axis, int local) const {
+    if (boundaries_.periodic(axis)) {
+      return true;
+    }
+    const int here = local + level_.block.start[axis];
+    const int total = level_.block.global[axis];
+    if (axis != component_) {
+      return here >= 0 && here < total;
+    }
+    const int first = boundaries_.open(axis, false) ? 0 : 1;
+    const int last = boundaries_.open(axis, true) ? total : total - 1;
+    return here >= first && here <= last;
+  }
+
+  [[nodiscard]] Vec3 centre(int i, int j, int k) const {
+    const Int3 index{i, j, k};
+    Vec3 x;
+    for (int a = 0; a < 3; ++a) {
+      x[a] = (index[a] + level_.block.start[a] + (a == component_ ? 0.0 : 0.5)) * spacing_[a];
+    }
+    return x;
+  }
+
+  template <typename Visit>
+  void for_each(const Visit& visit) const {
+    const grid::Block& b = level_.block;
+    for (int k = -b.ghost[2]; k <= b.n[2] + b.ghost[2]; ++k) {
+      for (int j = -b.ghost[1]; j <= b.n[1] + b.ghost[1]; ++j) {
+        if (!exists(1, j) || !exists(2, k)) {
+          continue;
+        }
+        for (int i = -b.ghost[0]; i <= b.n[0] + b.ghost[0]; ++i) {
+          if (exists(0, i)) {
+            visit(i, j, k);
+          }
+        }
+      }
+    }
+  }
+
+  /// Friction of the box walls parallel to this component: +e for a wall, -e for slip.
+  [[nodiscard]] Real box_friction(int i, int j, int k) const {
+    const Int3 index{i, j, k};
+    Real excess = 0;
+    for (int a = 0; a < 3; ++a) {
+      if (a == component_ || boundaries_.periodic(a)) {
+        continue;
+      }
+      const int here = index[a] + level_.block.start[a];
+      const auto& axis = level_.axis[a];
+      const auto wall = [&](bool high, float e) {
+        excess += boundaries_.at(a, high) == FaceKind::slip ? -e : e;
+      };
+      if (here == 0) {
+        wall(false, axis.cell_low[index[a] + axis.offset]);
+      }
+      if (here == level_.block.global[a] - 1) {
+        wall(true, axis.cell_high[index[a] + axis.offset]);
+      }
+    }
+    return excess;
+  }
+
+  /// Off-diagonals of the row along an axis: {low, high}.
+  [[nodiscard]] std::array<Real, 2> stencil(int axis, int local) const {
+    const auto& c = level_.axis[axis];
+    const std::size_t at = local + c.offset;
+    return axis == component_ ? std::array<Real, 2>{c.face_low[at], c.face_high[at]}
+                              : std::array<Real, 2>{c.cell_low[at], c.cell_high[at]};
+  }
+
+  [[nodiscard]] Real spacing(int axis) const { return spacing_[axis]; }
+
+ private:
+  const Level& level_;
+  const Boundaries& boundaries_;
+  int component_;
+  Vec3 spacing_;
+};
+
+/// Distance to the wall in (0, 1] along a link, from s at its start, middle and end (s1 <= 0 < s0).
+Real wall_fraction(Real s0, Real half, Real s1) {
+  const Real c2 = 2 * (s1 + s0 - 2 * half);
+  const Real c1 = s1 - s0 - c2;
+  const Real discriminant = c1 * c1 - 4 * c2 * s0;
+  Real theta = s0 / (s0 - s1);
+  if (discriminant >= 0) {
+    const Real root = 2 * s0 / (-c1 + std::sqrt(discriminant));
+    theta = root > 0 && root <= 1 ? root : theta;
+  }
+  return std::max(theta, shortest_link);
+}
+
+struct Link {
+  Real excess;
+  Real weight;
+};
+
+/// Links of one face near a grain: wall friction and link weight.
+Link link_face(const Faces& faces, const SignedDistance& s, const Int3& index, const Vec3& x, Real s0) {
+  Link link{0, 1};
+  Real normal_squared = 0;
+  Real reach = 0;  // sum of n_t^2 c_t
+  bool cut = false;
+  for (int t = 0; t < 3; ++t) {
+    Vec3 step;
+    step[t] = faces.spacing(t);
+    const auto e = faces.stencil(t, index[t]);
+    std::array<Real, 2> half{};
+    Real theta_sum = 0;
+    for (int side = 0; side < 2; ++side) {
+      const Vec3 towards = side == 0 ? Vec3{} - step : step;
+      half[side] = s(x + 0.5 * towards);
+      const Real s1 = s(x + towards);
+      const bool wall = s1 <= 0 && e[side] != 0;
+      const Real theta = wall ? wall_fraction(s0, half[side], s1) : 1;
+      link.excess += e[side] * (1 / theta - 1);
+      theta_sum += theta;
+      cut = cut || wall;
+    }
+    const Real slope = (half[1] - half[0]) / faces.spacing(t);
+    normal_squared += slope * slope;
+    reach += slope * slope * theta_sum / 2;
+  }
+  if (cut && normal_squared > 0) {
+    link.weight = (1 + reach / normal_squared) / 2;
+  }
+  return link;
+}
+
+void set_face(Level& level, Friction& friction, const Faces& faces, int c, const Int3& index,
+              const Link& link) {
+  const std::ptrdiff_t at = level.block.at(index[0], index[1], index[2]);
+  Real diagonal = link.excess;
+  for (int t = 0; t < 3; ++t) {
+    const auto e = faces.stencil(t, index[t]);
+    diagonal += e[0] + e[1];
+  }
+  friction.excess[c][at] = static_cast<float>(link.excess);
+  level.inverse_diagonal[c][at] = diagonal > 0 ? static_cast<float>(1 / diagonal) : 0.0F;
+  level.weight[c][at] = static_cast<float>(link.weight);
+}
+
+Friction no_flow(const Level& level) {
+  Friction friction;
+  for (Floats& field : friction.excess) {
+    field.assign(level.block.size, Friction::inactive);
+  }
+  return friction;
+}
+
+}  // namespace
+
+Friction link_to_surface(Level& finest, const Boundaries& boundaries, const SignedDistance& distance) {
+  Friction friction = no_flow(finest);
+  for (int c = 0; c < 3; ++c) {
+    const Faces faces(finest, boundaries, c);
+    const Real far = 1.05 * std::max({faces.spacing(0), faces.spacing(1), faces.spacing(2)});
+    faces.for_each([&](int i, int j, int k) {
+      const Vec3 x = faces.centre(i, j, k);
+      const Real s0 = distance(x);
+      if (s0 <= 0) {
+        return;
+      }
+      Link link{0, 1};
+      if (s0 < far) {
+        link = link_face(faces, distance, {i, j, k}, x, s0);
+      }
+      link.excess += faces.box_friction(i, j, k);
+      set_face(finest, friction, faces, c, {i, j, k}, link);
+    });
+  }
+  finish_level(finest);
+  return friction;
+}
+
+Friction link_to_voxels(Level& finest, const Boundaries& boundaries, const IsPore& is_pore) {
+  Friction friction = no_flow(finest);
+  for (int c = 0; c < 3; ++c) {
+    const Faces faces(finest, boundaries, c);
+    Int3 back{0, 0, 0};
+    back[c] = 1;
+    const auto pores = [&](Int3 q) {  // pore cells at the sides of a face
+      for (int a = 0; a < 3; ++a) {
+        q[a] += finest.block.start[a];
+      }
+      return (is_pore(q[0], q[1], q[2]) ? 1 : 0) +
+             (is_pore(q[0] - back[0], q[1] - back[1], q[2] - back[2]) ? 1 : 0);
+    };
+    faces.for_each([&](int i, int j, int k) {
+      if (pores({i, j, k}) < 2) {
+        return;
+      }
+      Link link{faces.box_friction(i, j, k), 1};
+      for (int t = 0; t < 3; ++t) {
+        if (t == c) {
+          continue;  // a closed face one cell ahead: u = 0 at distance 1
+        }
+        const auto e = faces.stencil(t, Int3{i, j, k}[t]);
+        for (int side = 0; side < 2; ++side) {
+          Int3 q{i, j, k};
+          q[t] += side == 0 ? -1 : 1;
+          const bool inside = faces.exists(t, q[t]);
+          // Two grain cells: a wall half a cell away. One: half wall, half open.
+          link.excess += inside ? e[side] * (2 - pores(q)) / 2 : 0;
+        }
+      }
+      set_face(finest, friction, faces, c, {i, j, k}, link);
+    });
+  }
+  finish_level(finest);
+  return friction;
+}
+
+}  // namespace porefines::flow

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <vector>
+
+#include "flow/level.hpp"
+#include "flow/links.hpp"
+
+namespace porefines::flow {
+
+/// Values of u, v, w, p on the active lines that a rank owns: 4 x 16 values per line, one after the
+/// other. Krylov vectors are kept so: solid costs nothing and every pass is a stream.
+template <typename T>
+using Packed = AlignedVector<T>;
+
+inline constexpr int packed_width = 4 * grid::line_width;
+
+/// The Stokes operator of the finest level in double precision, and the map to packed vectors.
+class Operator {
+ public:
+  Operator(Level& level, const Friction& friction);
+
+  [[nodiscard]] std::size_t size() const { return lines_.size() * packed_width; }
+
+  /// out = K (u, p) for the level's u and p. Exchanges one ghost layer; collective.
+  ///
+  ///     momentum:    sum e (u - u_nb) + s u + W grad p      (s: wall friction, 0 in the bulk)
+  ///     continuity:  div W u
+  template <typename T>
+  void apply(Packed<T>& out);
+
+  /// r = b - K x, with x split into two floats so that nothing is lost. Overwrites u and p.
+  void residual(const Packed<double>& b, const Packed<double>& x, Packed<double>& r);
+
+  /// Right-hand side of the level = scale * v; zero elsewhere.
+  void load_right_hand_side(const Packed<double>& v, double scale);
+  /// The level's u and p = the packed values; zero elsewhere.
+  template <typename T>
+  void load_unknowns(const Packed<T>& v);
+  template <typename T>
+  void store_unknowns(Packed<T>& v) const;
+
+  /// Calls visit(component 0..3, i, j, k, position in a packed vector) for every owned unknown that is
+  /// active; component 3 is pressure.
+  template <typename Visit>
+  void for_each(const Visit& visit) const {
+    for (std::size_t line = 0; line < lines_.size(); ++line) {
+      const Line& q = lines_[line];
+      for (int c = 0; c < 4; ++c) {
+        for (int l = 0; l < grid::line_width; ++l) {
+          if (owned_and_active(c, q.i + l, q.j, q.k)) {
+            visit(c, q.i + l, q.j, q.k, line * packed_width + c * grid::line_width + l);
+          }
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] Level& level() { return level_; }
+  [[nodiscard]] const Level& level() const { return level_; }
+  [[nodiscard]] const Friction& friction() const { return friction_; }
+
+ private:
+  struct Line {
+    int i, j, k;
+  };
+  [[nodiscard]] bool owned_and_active(int component, int i, int j, int k) const;
+
+  Level& level_;
+  const Friction& friction_;
+  std::vector<Line> lines_;
+};
+
+}  // namespace porefines::flow

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MPL-2.0
+#include "flow/stokes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace porefines::flow {
+
+StokesSolver::StokesSolver(const par::Communicator& comm, const par::Decomposition& cut,
+                           const Vec3& spacing, const Boundaries& boundaries, Real viscosity)
+    : comm_(comm),
+      boundaries_(boundaries),
+      spacing_(spacing),
+      viscosity_(viscosity),
+      hierarchy_(comm, cut, spacing / spacing.x, boundaries) {}
+
+void StokesSolver::set_surface(const std::function<Real(const Vec3&)>& distance) {
+  const Real h = spacing_.x;
+  finish_setup(link_to_surface(hierarchy_.finest(), boundaries_,
+                               [&](const Vec3& x) { return distance(x * h) / h; }));
+}
+
+void StokesSolver::set_voxels(const IsPore& is_pore) {
+  finish_setup(link_to_voxels(hierarchy_.finest(), boundaries_, is_pore));
+}
+
+void StokesSolver::finish_setup(Friction friction) {
+  friction_ = std::make_unique<Friction>(std::move(friction));
+  hierarchy_.build();
+  operator_ = std::make_unique<Operator>(hierarchy_.finest(), *friction_);
+}
+
+bool StokesSolver::pressure_pair(int axis) const {
+  return boundaries_.at(axis, false) == FaceKind::pressure &&
+         boundaries_.at(axis, true) == FaceKind::pressure;
+}
+
+Real StokesSolver::force_scale(const Drive& drive) const {
+  Real scale = norm(drive.force);
+  Real lowest = INFINITY;
+  Real highest = -INFINITY;
+  for (int face = 0; face < 6; ++face) {
+    const Real value = drive.face_value[face];
+    if (boundaries_.kind[face] == FaceKind::velocity) {
+      scale = std::max(scale, std::abs(value) * viscosity_ / (spacing_.x * spacing_.x));
+    } else if (boundaries_.kind[face] == FaceKind::pressure) {
+      lowest = std::min(lowest, value);
+      highest = std::max(highest, value);
+    }
+  }
+  const Real longest = std::max({length(0), length(1), length(2)});
+  if (highest > lowest) {
+    scale = std::max(scale, (highest - lowest) / longest);
+  }
+  return scale > 0 ? scale : 1;
+}
+
+namespace {
+
+/// Global index along an axis of a local one.
+int global(const grid::Block& b, int axis, int local) { return local + b.start[axis]; }
+
+}  // namespace
+
+Packed<double> StokesSolver::right_hand_side(const Drive& drive) const {
+  Packed<double> b(operator_->size(), 0.0);
+  const Level& level = hierarchy_.finest();
+  const Real pressure_unit = scale_ * spacing_.x;
+  const Real velocity_unit = scale_ * spacing_.x * spacing_.x / viscosity_;
+  operator_->for_each([&](int c, int i, int j, int k, std::size_t at) {
+    const Int3 index{i, j, k};
+    const std::ptrdiff_t cell = level.block.at(i, j, k);
+    if (c < 3) {
+      const auto& axis = level.axis[c];
+      const int here = global(level.block, c, index[c]);
+      const int total = level.block.global[c];
+      const Real weight = level.weight[c][cell];
+      const Real gradient = axis.gradient[index[c] + axis.offset];
+      b[at] = weight * drive.force[c] / scale_;
+      for (const bool high : {false, true}) {
+        const FaceKind kind = boundaries_.at(c, high);
+        const Real value = drive.face_value[2 * c + (high ? 1 : 0)];
+        if (kind == FaceKind::pressure && here == (high ? total : 0)) {
+          b[at] += (high ? -1 : 1) * weight * gradient * value / pressure_unit;
+        } else if (kind == FaceKind::velocity && here == (high ? total - 1 : 1)) {
+          const auto& e = high ? axis.face_high : axis.face_low;
+          b[at] += e[index[c] + axis.offset] * value / velocity_unit;
+        }
+      }
+      return;
+    }
+    for (int a = 0; a < 3; ++a) {  // inflow through velocity faces, where the face behind is open
+      const int here = global(level.block, a, index[a]);
+      for (const bool high : {false, true}) {
+        const bool outermost = here == (high ? level.block.global[a] - 1 : 0);
+        const std::ptrdiff_t inner = cell + (high ? 0 : level.block.stride(a));
+        if (boundaries_.at(a, high) == FaceKind::velocity && outermost &&
+            level.inverse_diagonal[a][inner] != 0) {
+          const Real value = drive.face_value[2 * a + (high ? 1 : 0)] / velocity_unit;
+          b[at] += (high ? -1 : 1) * value * level.axis[a].divergence[index[a] + level.axis[a].offset];
+        }
+      }
+    }
+  });
+  return b;
+}
+
+Packed<double> StokesSolver::first_guess(const Drive& drive) const {
+  Packed<double> x(operator_->size(), 0.0);
+  const Real unit = scale_ * spacing_.x;
+  operator_->for_each([&](int c, int i, int j, int k, std::size_t at) {
+    const Int3 index{i, j, k};
+    for (int a = 0; c == 3 && a < 3; ++a) {
+      if (pressure_pair(a)) {
+        const Real t = (global(block(), a, index[a]) + 0.5) / block().global[a];
+        x[at] = ((1 - t) * drive.face_value[2 * a] + t * drive.face_value[2 * a + 1]) / unit;
+      }
+    }
+  });
+  return x;
+}
+
+/// Norm of the force that drives the flow, spread over the fluid: also for a pressure drop, whose
+/// right-hand side sits on one plane only. Residuals then mean the same for every kind of drive.
+Real StokesSolver::reference_norm(const Drive& drive, const Packed<double>& b) const {
+  Vec3 force = drive.force;
+  bool spread = norm(force) > 0;
+  for (int a = 0; a < 3; ++a) {
+    if (pressure_pair(a)) {
+      force[a] += (drive.face_value[2 * a] - drive.face_value[2 * a + 1]) / length(a);
+      spread = true;
+    }
+  }
+  Real sum = 0;
+  operator_->for_each([&](int c, int i, int j, int k, std::size_t at) {
+    const Real w = c < 3 ? hierarchy_.finest().weight[c][block().at(i, j, k)] : 0;
+    const Real value = spread ? (c < 3 ? w * force[c] / scale_ : 0) : b[at];
+    sum += value * value;
+  });
+  return std::sqrt(comm_.sum(sum));
+}
+
+SolveReport StokesSolver::solve(const Drive& drive, SolveOptions options) {
+  drive_ = drive;
+  scale_ = force_scale(drive);
+  const Packed<double> b = right_hand_side(drive);
+  x_ = first_guess(drive);
+  options.reference = reference_norm(drive, b);
+  return solve_gcr(comm_, hierarchy_, *operator_, b, x_, options);
+}
+
+std::vector<Real> StokesSolver::plane_fluxes(int axis) const {
+  const Level& level = hierarchy_.finest();
+  std::vector<Real> flux(static_cast<std::size_t>(block().global[axis]) + 1, 0);
+  const Real unit = scale_ * spacing_.x * spacing_.x / viscosity_ *
+                    (spacing_.x * spacing_.y * spacing_.z / spacing_[axis]);
+  operator_->for_each([&](int c, int i, int j, int k, std::size_t at) {
+    if (c == axis) {
+      flux[global(block(), axis, Int3{i, j, k}[axis])] +=
+          level.weight[c][block().at(i, j, k)] * x_[at] * unit;
+    }
+  });
+  comm_.sum(flux);
+  if (boundaries_.periodic(axis)) {
+    flux.back() = flux.front();
+  }
+  for (const bool high : {false, true}) {  // velocity faces hold no unknowns: the next plane's flux
+    if (boundaries_.at(axis, high) == FaceKind::velocity && flux.size() > 2) {
+      (high ? flux.back() : flux.front()) = high ? flux[flux.size() - 2] : flux[1];
+    }
+  }
+  return flux;
+}
+
+std::vector<Real> StokesSolver::layer_pressures(int axis) const {
+  const auto layers = static_cast<std::size_t>(block().global[axis]);
+  std::vector<Real> sums(2 * layers, 0);
+  operator_->for_each([&](int c, int i, int j, int k, std::size_t at) {
+    if (c == 3) {
+      const int layer = global(block(), axis, Int3{i, j, k}[axis]);
+      sums[layer] += x_[at] * scale_ * spacing_.x;
+      sums[layers + layer] += 1;
+    }
+  });
+  comm_.sum(sums);
+  std::vector<Real> mean(layers, 0);
+  for (std::size_t layer = 0; layer < layers; ++layer) {
+    mean[layer] = sums[layers + layer] > 0 ? sums[layer] / sums[layers + layer] : 0;
+  }
+  return mean;
+}
+
+Vec3 StokesSolver::superficial_velocity() const {
+  Vec3 velocity;
+  for (int a = 0; a < 3; ++a) {
+    const std::vector<Real> flux = plane_fluxes(a);
+    Real sum = 0;
+    const auto n = static_cast<std::size_t>(block().global[a]);
+    for (std::size_t i = 0; i < n; ++i) {
+      sum += (flux[i] + flux[i + 1]) / 2;
+    }
+    velocity[a] = sum / static_cast<Real>(n) / (length(0) * length(1) * length(2) / length(a));
+  }
+  return velocity;
+}
+
+StokesSolver::CellFields StokesSolver::cell_fields() {
+  Level& level = hierarchy_.finest();
+  Operator& op = *operator_;
+  op.load_unknowns(x_);
+  level.exchange_unknowns(1);
+  const grid::Block& b = block();
+  const auto count = static_cast<std::size_t>(b.cells());
+  const Real velocity_unit = scale_ * spacing_.x * spacing_.x / viscosity_;
+  const Real pressure_unit = scale_ * spacing_.x;
+  CellFields out;
+  for (auto& field : out.velocity) {
+    field.resize(count);
+  }
+  out.pressure.resize(count);
+  out.fluid.resize(count);
+  std::size_t cell = 0;
+  for (int k = 0; k < b.n[2]; ++k) {
+    for (int j = 0; j < b.n[1]; ++j) {
+      for (int i = 0; i < b.n[0]; ++i, ++cell) {
+        const std::ptrdiff_t at = b.at(i, j, k);
+        for (int a = 0; a < 3; ++a) {
+          out.velocity[a][cell] = static_cast<float>(
+              (level.u[a][at] + level.u[a][at + b.stride(a)]) / 2 * velocity_unit);
+        }
+        out.pressure[cell] = static_cast<float>(level.p[at] * pressure_unit);
+        out.fluid[cell] = level.push[at] != 0 ? 1.0F : 0.0F;
+      }
+    }
+  }
+  return out;
+}
+
+Index StokesSolver::fluid_cells() const {
+  Index count = 0;
+  operator_->for_each([&](int c, int, int, int, std::size_t) { count += c == 3 ? 1 : 0; });
+  return comm_.sum(count);
+}
+
+}  // namespace porefines::flow
