@@ -14,8 +14,9 @@ namespace porefines::config {
 struct Run {
   std::string title;
   std::string reference;
-  std::string output_dir = "out";
+  std::string output_dir = "out";  ///< relative to the working directory
   unsigned long long random_seed = 1;
+  friend bool operator==(const Run&, const Run&) = default;
 };
 
 enum class GeometryKind { image, spheres, cylinders, empty };
@@ -25,10 +26,10 @@ enum class Surface { smooth, voxel };  ///< sub-pixel surface, or the pixel stai
 /// [geometry]: where the grains are. Lengths in m.
 struct Geometry {
   GeometryKind kind = GeometryKind::image;
-  std::string source;            ///< path, resolved against the folder of the case file
+  std::string source;            ///< absolute path; the file gives it relative to its own folder
   Real pixel_size = 0;           ///< [m] image
   int pore_value = 255;          ///< binary image: which value is pore
-  std::optional<int> threshold;  ///< grey image: grey level 0..255, pore is >= threshold
+  std::optional<int> threshold;  ///< grey image: grey level, pore is >= threshold
   bool otsu = false;             ///< threshold = "otsu"
   bool pore_is_bright = true;    ///< with a threshold: bright = pore
   Int3 raw_size{0, 0, 0};        ///< raw volumes: voxels along x, y, z
@@ -43,7 +44,8 @@ struct Geometry {
   int fill_pores_below = 0;       ///< [pixels] pores smaller than this are filled
   Real simplify = 0.5;            ///< [pixels] tolerance of the simplified outlines
   Real minimum_throat = 0;        ///< [m] narrower throats are reopened to this width
-  std::array<Int3, 2> crop{};     ///< image: {first, past-last} voxel; zeros: everything
+  std::array<Int3, 2> crop{};     ///< image: {first, past-last} voxel; 0, 0: the whole axis
+  friend bool operator==(const Geometry&, const Geometry&) = default;
 };
 
 /// [grid]
@@ -51,12 +53,14 @@ struct Grid {
   Real cell_size = 0;                 ///< [m]; 0 when `cells` is given
   Int3 cells{0, 0, 0};                ///< 0 when `cell_size` is given
   std::optional<Int3> decomposition;  ///< ranks along x, y, z; absent: chosen
+  friend bool operator==(const Grid&, const Grid&) = default;
 };
 
 /// [fluid]
 struct Fluid {
   Real density = 998.2;       ///< [kg/m^3]
   Real viscosity = 1.002e-3;  ///< [Pa s]
+  friend bool operator==(const Fluid&, const Fluid&) = default;
 };
 
 enum class DriveKind { pressure, flow_rate, velocity };
@@ -66,6 +70,7 @@ struct Opening {
   BoxFace face = BoxFace::x_low;
   DriveKind kind = DriveKind::pressure;
   Real value = 0;  ///< [Pa], [m^3/s] or [m/s]
+  friend bool operator==(const Opening&, const Opening&) = default;
 };
 
 enum class Regime { stokes };
@@ -77,22 +82,26 @@ struct Flow {
   std::array<Real, 3> pressure_gradient{};  ///< [Pa/m] periodic drive: the force is along +gradient
   std::optional<Opening> inlet;
   std::optional<Opening> outlet;
-  std::array<bool, 6> slip{};  ///< indexed by BoxFace; the remaining faces are no-slip walls
-  Real reservoir = -1;         ///< [m] open fluid before and after the sample; negative: automatic
-  bool tensor = false;         ///< full permeability tensor (periodic only)
-  Real tolerance = 1e-6;       ///< relative residual of the solve
+  std::array<bool, 6> slip{};   ///< indexed by BoxFace
+  std::array<bool, 6> walls{};  ///< no-slip; the reader adds every face that is nothing else
+  Real reservoir = -1;          ///< [m] open fluid before and after the sample; negative: automatic
+  bool tensor = false;          ///< full permeability tensor (periodic only)
+  Real tolerance = 1e-6;        ///< relative residual of the solve
   int max_cycles = 200;
+  friend bool operator==(const Flow&, const Flow&) = default;
 };
 
 /// [analysis]: derived geometry numbers.
 struct Analysis {
   Real fine_diameter = 0;  ///< [m] for o/d and D/d; 0: not asked
+  friend bool operator==(const Analysis&, const Analysis&) = default;
 };
 
 /// [[output]]
 struct Output {
   bool fields = true;    ///< fields.xdmf + fields.h5
   bool pictures = true;  ///< PNG slices
+  friend bool operator==(const Output&, const Output&) = default;
 };
 
 /// A whole case in SI, defaults filled.
@@ -105,6 +114,7 @@ struct Case {
   Flow flow;
   Analysis analysis;
   Output output;
+  friend bool operator==(const Case&, const Case&) = default;
 };
 
 }  // namespace porefines::config

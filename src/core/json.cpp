@@ -56,7 +56,7 @@ std::string json_string(std::string_view text) {
       out += "\\t";
     } else if (length == 0) {
       out += "\\ufffd";
-    } else if (length == 1 && static_cast<unsigned char>(c) < 0x20U) {
+    } else if (length == 1 && (static_cast<unsigned char>(c) < 0x20U || c == 0x7f)) {
       out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
     } else {
       out += text.substr(0, length);

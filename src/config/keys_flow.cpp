@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MPL-2.0
+#include <fmt/format.h>
+
+#include "config/key.hpp"
+
+namespace porefines::config {
+namespace {
+
+constexpr Range gradients{-1e12, 1e12};
+constexpr Range pressures{-1e10, 1e10};
+constexpr Range flow_rates{0, 1e3};
+constexpr Range velocities{0, 1e3};
+
+using Faces = std::array<bool, 6>;
+
+void read_faces(Faces& faces, const Node& node) {
+  for (const Node& name : read_list(node, "[\"z-\", \"z+\"]")) {
+    faces[read_choice(name, face_names())] = true;
+  }
+}
+
+std::string write_faces(const Faces& faces) {
+  std::string list;
+  for (std::size_t face = 0; face < faces.size(); ++face) {
+    if (faces[face]) {
+      list += (list.empty() ? "" : ", ") + toml_string(face_names()[face]);
+    }
+  }
+  return "[" + list + "]";
+}
+
+Key faces_key(std::string path, Faces Flow::*member, std::string doc) {
+  return {std::move(path), "list of faces, e.g. `[\"z-\", \"z+\"]`", std::move(doc),
+          [=](Case& c, const Node& node) {
+            c.flow.*member = {};
+            read_faces(c.flow.*member, node);
+          },
+          [=](const Case& c) { return write_faces(c.flow.*member); }};
+}
+
+/// sides = { faces = ["y-", "y+"], kind = "slip" }: another way to say slip or walls.
+void read_sides(Case& c, const Node& node) {
+  (void)read_table(node, {"faces", "kind"});
+  const Node* faces = find(node, "faces");
+  const Node* kind = find(node, "kind");
+  if (faces == nullptr || kind == nullptr) {
+    fail(node.place, "needs both faces and kind", "{ faces = [\"y-\", \"y+\"], kind = \"slip\" }");
+  }
+  read_faces(read_choice(*kind, {"slip", "wall"}) == 0 ? c.flow.slip : c.flow.walls, *faces);
+}
+
+void read_regime(Case& c, const Node& node) {
+  if (read_choice(node, {"stokes", "navier-stokes"}) == 1) {
+    fail(node.place, "\"navier-stokes\" is not available in this version",
+         "use \"stokes\" where Re < 1; the run reports Re");
+  }
+  c.flow.regime = Regime::stokes;
+}
+
+void read_steady(Case&, const Node& node) {
+  if (!read_flag(node)) {
+    fail(node.place, "false is not available in this version",
+         "this version finds the steady flow: delete the key");
+  }
+}
+
+void read_periodic(Case& c, const Node& node) {
+  c.flow.periodic = {};
+  for (const Node& axis : read_list(node, "[\"x\", \"y\"]")) {
+    c.flow.periodic[read_choice(axis, axis_names())] = true;
+  }
+}
+
+std::string write_periodic(const Case& c) {
+  std::string list;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (c.flow.periodic[axis]) {
+      list += (list.empty() ? "" : ", ") + toml_string(axis_names()[axis]);
+    }
+  }
+  return "[" + list + "]";
+}
+
+/// One quantity acts along the first periodic axis, three along x, y, z. Read after `periodic`.
+void read_gradient(Case& c, const Node& node) {
+  c.flow.pressure_gradient = {};
+  const auto* list = std::get_if<List>(&node.value);
+  if (list == nullptr) {
+    const auto& periodic = c.flow.periodic;
+    const std::size_t axis = periodic[0] ? 0 : periodic[1] ? 1 : periodic[2] ? 2 : 0;
+    c.flow.pressure_gradient[axis] = read_quantity(node, kind::pressure_gradient, gradients);
+    return;
+  }
+  if (list->size() != 3) {
+    fail(node.place, fmt::format("has {} components, needs 3: [\"1 Pa/m\", \"0 Pa/m\", \"0 Pa/m\"]",
+                                 list->size()));
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    c.flow.pressure_gradient[axis] =
+        read_quantity((*list)[axis], kind::pressure_gradient, gradients);
+  }
+}
+
+std::string write_gradient(const Case& c) {
+  const auto& gradient = c.flow.pressure_gradient;
+  const auto part = [&](std::size_t axis) {
+    return toml_quantity(gradient[axis], kind::pressure_gradient);
+  };
+  return gradient == std::array<Real, 3>{} ? ""
+                                           : fmt::format("[{}, {}, {}]", part(0), part(1), part(2));
+}
+
+/// The keys of `inlet` or `outlet`: the face and one of three drives. That exactly one is given is
+/// checked in validate().
+std::vector<Key> opening_keys(const std::string& name, std::optional<Opening> Flow::*member) {
+  const auto opening = [member](Case& c) -> Opening& {
+    auto& place = c.flow.*member;
+    return place ? *place : place.emplace();
+  };
+  const std::string path = "flow." + name + ".";
+  const auto drive = [&](const std::string& key, DriveKind drive_kind, const QuantityKind& wanted,
+                         Range range, const std::string& doc) {
+    return Key{path + key,
+               fmt::format("{}, e.g. `\"{}\"`", wanted.name, wanted.example),
+               doc,
+               [=](Case& c, const Node& node) {
+                 Opening& place = opening(c);
+                 place.kind = drive_kind;
+                 place.value = read_quantity(node, wanted, range);
+               },
+               [=](const Case& c) -> std::string {
+                 const auto& place = c.flow.*member;
+                 return place && place->kind == drive_kind ? toml_quantity(place->value, wanted)
+                                                           : "";
+               },
+               "one of three"};
+  };
+  return {{path + "face", "face, e.g. `\"x-\"`", "the box face of the " + name,
+           [=](Case& c, const Node& node) {
+             opening(c).face = static_cast<BoxFace>(read_choice(node, face_names()));
+           },
+           [=](const Case& c) -> std::string {
+             const auto& place = c.flow.*member;
+             return place ? toml_string(face_names()[static_cast<std::size_t>(place->face)]) : "";
+           },
+           "no " + name},
+          drive("pressure", DriveKind::pressure, kind::pressure, pressures, "mean pressure there"),
+          drive("flow_rate", DriveKind::flow_rate, kind::flow_rate, flow_rates,
+                "volume per time through the face, as a syringe pump gives it"),
+          drive("velocity", DriveKind::velocity, kind::velocity, velocities,
+                "uniform normal velocity")};
+}
+
+}  // namespace
+
+std::vector<Key> flow_keys() {
+  constexpr Range tolerances{1e-14, 0.1};
+  std::vector<Key> keys{
+      {"flow.regime", "`\"stokes\"`", "creeping flow; valid for Re < 1", read_regime,
+       [](const Case&) { return "\"stokes\""; }},
+      {"flow.steady", "`true`", "one steady solve", read_steady,
+       [](const Case&) { return "true"; }},
+      {"flow.periodic", "list of axes, e.g. `[\"x\", \"y\"]`", "axes along which the box repeats",
+       read_periodic, write_periodic},
+      {"flow.pressure_gradient", "pressure gradient, e.g. `\"1 kPa/m\"`, or a list of three",
+       "periodic drive: the fluid is pushed towards +gradient; one value acts along the first "
+       "periodic axis",
+       read_gradient, write_gradient, "none"}};
+  for (const auto& opening :
+       {opening_keys("inlet", &Flow::inlet), opening_keys("outlet", &Flow::outlet)}) {
+    keys.insert(keys.end(), opening.begin(), opening.end());
+  }
+  keys.push_back(faces_key("flow.walls", &Flow::walls,
+                           "no-slip faces; a face that is named nowhere is one too"));
+  keys.push_back(faces_key("flow.slip", &Flow::slip, "faces without friction: planes of symmetry"));
+  keys.push_back({"flow.sides", "`{ faces = [\"y-\", \"y+\"], kind = \"slip\" }`",
+                  "another way to say slip, or walls with `kind = \"wall\"`", read_sides,
+                  [](const Case&) { return ""; }, "see walls, slip"});
+  keys.push_back(quantity_key(
+      "flow.reservoir", &Case::flow, &Flow::reservoir, kind::length, not_negative, "automatic",
+      "open fluid before and after the sample, not part of the measurement"));
+  keys.push_back(flag_key("flow.tensor", &Case::flow, &Flow::tensor,
+                          "the full permeability tensor: drives each periodic axis in turn"));
+  keys.push_back(quantity_key("flow.pressure_tolerance", &Case::flow, &Flow::tolerance,
+                              kind::number, tolerances, "", "relative residual of the solve"));
+  Key alias = quantity_key("flow.tolerance", &Case::flow, &Flow::tolerance, kind::number,
+                           tolerances, "see pressure_tolerance", "short for pressure_tolerance");
+  alias.write = [](const Case&) { return ""; };
+  keys.push_back(alias);
+  keys.push_back(integer_key("flow.max_cycles", &Case::flow, &Flow::max_cycles, Range{1, 100000},
+                             "the run stops when the solve needs more"));
+  return keys;
+}
+
+}  // namespace porefines::config

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MPL-2.0
+#include "config/reader.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "config/key.hpp"
+#include "core/error.hpp"
+
+namespace porefines::config {
+namespace {
+
+/// The names that may stand in a table: "grid." -> cell_size, cells, decomposition.
+std::vector<std::string> names_in(const std::string& prefix) {
+  std::vector<std::string> names;
+  for (const Key& key : all_keys()) {
+    if (key.path.starts_with(prefix)) {
+      const std::string rest = key.path.substr(prefix.size());
+      const std::string name = rest.substr(0, rest.find('.'));
+      if (std::find(names.begin(), names.end(), name) == names.end()) {
+        names.push_back(name);
+      }
+    }
+  }
+  return names;
+}
+
+/// "cell_size belongs in [grid]" for a known key in the wrong table.
+std::string home_of(const std::string& name) {
+  for (const Key& key : all_keys()) {
+    const auto dot = key.path.find('.');
+    if (dot != std::string::npos && key.path.substr(dot + 1) == name) {
+      return fmt::format("{} belongs in [{}]", name, key.path.substr(0, dot));
+    }
+    if (dot == std::string::npos && key.path == name) {
+      return fmt::format("{} belongs at the top of the file, before the first [table]", name);
+    }
+  }
+  return {};
+}
+
+/// Fails on the first key, in file order, that no line of the table knows.
+void require_known(const Node& node, const std::string& prefix) {
+  for (const Entry& entry : std::get<Table>(node.value)) {
+    const std::string path = prefix + entry.name;
+    const Place& place = entry.node.place;
+    const auto key = std::find_if(all_keys().begin(), all_keys().end(),
+                                  [&](const Key& known) { return known.path == path; });
+    if (key != all_keys().end()) {
+      if (!key->read) {
+        fail(place, "not available in this version", key->doc);
+      }
+      continue;
+    }
+    const auto inner = names_in(path + ".");
+    if (inner.empty()) {
+      fail_unknown(place, entry.name, names_in(prefix), home_of(entry.name));
+    }
+    if (!std::holds_alternative<Table>(entry.node.value)) {
+      fail_wants(entry.node, fmt::format("a table with {} and others", inner.front()));
+    }
+    require_known(entry.node, path + ".");
+  }
+}
+
+/// Every face that is neither periodic nor anything else is a no-slip wall.
+void add_default_walls(Flow& flow) {
+  for (std::size_t face = 0; face < flow.walls.size(); ++face) {
+    const auto opens = [&](const std::optional<Opening>& opening) {
+      return opening && static_cast<std::size_t>(opening->face) == face;
+    };
+    if (!flow.periodic[face / 2] && !flow.slip[face] && !opens(flow.inlet) && !opens(flow.outlet)) {
+      flow.walls[face] = true;
+    }
+  }
+}
+
+Case read_tree(const Node& root, const std::string& path) {
+  require_known(root, "");
+  Case subject;
+  subject.path = path;
+  for (const Key& key : all_keys()) {
+    const Node* node = find(root, key.path);
+    if (node == nullptr || !key.read) {
+      continue;
+    }
+    if (!applies(key, subject)) {
+      fail(node->place,
+           fmt::format("has no meaning for geometry.kind = \"{}\"",
+                       geometry_kind_names()[static_cast<std::size_t>(subject.geometry.kind)]),
+           "delete the key, or change the kind");
+    }
+    key.read(subject, *node);
+  }
+  validate(subject, root);
+  add_default_walls(subject.flow);
+  return subject;
+}
+
+Node read_with_overrides(std::string_view text, const std::string& name,
+                         const std::vector<std::string>& overrides) {
+  Node root = parse_toml(text, name);
+  for (const std::string& assignment : overrides) {
+    apply_override(root, assignment);
+  }
+  return root;
+}
+
+}  // namespace
+
+Case parse_case(std::string_view text, const std::string& name,
+                const std::vector<std::string>& overrides) {
+  return read_tree(read_with_overrides(text, name, overrides), name);
+}
+
+Case load_case(const std::string& path, const std::vector<std::string>& overrides) {
+  std::ifstream file(path);
+  if (!file || std::filesystem::is_directory(path)) {
+    throw InputError(
+        fmt::format("{}: cannot be read; the first argument is a case file in TOML", path));
+  }
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const Node root = read_with_overrides(text, path, overrides);
+  Case subject = read_tree(root, path);
+  const std::string& source = subject.geometry.source;
+  if (!source.empty() && !std::filesystem::is_regular_file(source)) {
+    const Place place = place_of(root, "geometry.source");
+    fail(place, fmt::format("there is no file {}", source),
+         place.command_line ? "" : "a relative path starts at the folder of the case file");
+  }
+  return subject;
+}
+
+}  // namespace porefines::config
