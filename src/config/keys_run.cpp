@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MPL-2.0
 // Keys of the run as a whole, and of what it writes.
-#include <limits>
-
 #include "config/key.hpp"
 
 namespace porefines::config {
@@ -10,6 +8,13 @@ namespace {
 const std::vector<std::string>& output_kinds() {
   static const std::vector<std::string> kinds{"fields", "pictures"};
   return kinds;
+}
+
+void read_output_dir(Case& c, const Node& node) {
+  c.run.output_dir = read_text(node);
+  if (c.run.output_dir.empty()) {
+    fail(node.place, "is empty, name a folder");
+  }
 }
 
 void read_outputs(Case& c, const Node& node) {
@@ -47,7 +52,6 @@ std::string write_outputs(const Case& c) {
 }  // namespace
 
 std::vector<Key> run_keys() {
-  constexpr Range seeds{0, static_cast<Real>(std::numeric_limits<std::int64_t>::max())};
   return {
       text_key("title", &Case::run, &Run::title, "none", "what the report is headed with"),
       text_key("reference", &Case::run, &Run::reference, "none",
@@ -56,9 +60,10 @@ std::vector<Key> run_keys() {
        "what is written besides summary.json: `\"fields\"` (fields.xdmf and HDF5), `\"pictures\"` "
        "(PNG); also as `[[output]]`",
        read_outputs, write_outputs},
-      text_key("run.output_dir", &Case::run, &Run::output_dir, "required",
-               "folder of the results, relative to the working directory; `-o` overrides it"),
-      integer_key("run.random_seed", &Case::run, &Run::random_seed, seeds,
+      {"run.output_dir", "text",
+       "folder of the results, relative to the working directory; `-o` overrides it",
+       read_output_dir, [](const Case& c) { return toml_string(c.run.output_dir); }},
+      integer_key("run.random_seed", &Case::run, &Run::random_seed, not_negative,
                   "seed of every random number; the same on any number of ranks"),
   };
 }

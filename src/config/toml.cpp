@@ -51,6 +51,7 @@ List convert_list(const toml::array& source, const Place& place) {
 }
 
 Node convert(const toml::node& source, Place place) {
+  place.shape = Place::Shape::key;
   Node node{Date{}, std::move(place)};
   if (const auto* table = source.as_table()) {
     node.place.shape = Place::Shape::table;

@@ -14,6 +14,11 @@ namespace {
 
 constexpr Real most_cells = 1LL << 40;
 
+/// Enough digits for a message: 0.0002 m, not 0.00019999999999999998 m.
+std::string metres(Real length) {
+  return fmt::format("{:.6g} m", length);
+}
+
 void require(const Node& given, const std::string& path, bool present, const std::string& hint) {
   if (!present) {
     fail(place_of(given, path), "is missing", hint);
@@ -76,17 +81,15 @@ void check_cells(const Grid& grid, const Geometry& geometry, const Node& given) 
     const Real edge = (*box)[axis];
     if (grid.cell_size > edge * (1 + 1e-9)) {
       fail(place_of(given, "grid.cell_size"),
-           fmt::format("{} is larger than the box, {} along {}",
-                       format_quantity(grid.cell_size, kind::length),
-                       format_quantity(edge, kind::length), axis_names()[axis]),
+           fmt::format("{} is larger than the box, {} along {}", metres(grid.cell_size),
+                       metres(edge), axis_names()[axis]),
            "is the unit right?");
     }
     cells *= std::ceil(edge / grid.cell_size);
   }
   if (cells > most_cells) {
     fail(place_of(given, "grid.cell_size"),
-         fmt::format("{} makes {:.3g} cells, more than 2^40",
-                     format_quantity(grid.cell_size, kind::length), cells),
+         fmt::format("{} makes {:.3g} cells, more than 2^40", metres(grid.cell_size), cells),
          "is the unit right?");
   }
 }

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <string>
+
+/// Small valid cases to start from.
+namespace porefines::test {
+
+inline const std::string box_case = R"([geometry]
+kind = "empty"
+size = ["1 mm", "1 mm", "1 mm"]
+
+[grid]
+cell_size = "50 um"
+
+[flow]
+periodic = ["x"]
+pressure_gradient = "1 Pa/m"
+)";
+
+inline const std::string image_case = R"([geometry]
+source = "chip.png"
+pixel_size = "2 um"
+depth = "20 um"
+
+[grid]
+cell_size = "2 um"
+
+[flow]
+inlet = { face = "x-", pressure = "12 Pa" }
+outlet = { face = "x+", pressure = "0 Pa" }
+)";
+
+}  // namespace porefines::test
