@@ -2,11 +2,16 @@
 #include "io/fields.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <csignal>
 #include <filesystem>
-#include <limits>
+#include <system_error>
 #include <utility>
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "core/error.hpp"
 #include "io/agree.hpp"
@@ -17,9 +22,7 @@
 namespace porefines::io {
 namespace {
 
-std::string hdf5_path(const std::string& folder) {
-  return folder + "/fields.h5";
-}
+constexpr Index header_bytes = 65536;  ///< generous room for what HDF5 adds to the values
 
 bool is_root(MPI_Comm comm) {
   int rank = 0;
@@ -71,15 +74,30 @@ void require_block(const GridBlock& grid) {
   }
 }
 
-/// A full disk is better found before a step is half written.
-void require_space(const std::string& folder, Real bytes) {
-  std::error_code unknown;
-  const auto space = std::filesystem::space(folder, unknown);
-  if (!unknown && static_cast<Real>(space.available) < bytes) {
-    throw RunError(
-        fmt::format("{}: the disk is full: {:.1f} MB needed for the next fields, {:.1f} MB "
-                    "free; free some space, or write fields less often",
-                    folder, bytes / 1e6, static_cast<Real>(space.available) / 1e6));
+/// Reserves the space for a step and gives it back: a full disk, a quota or a limit on the file
+/// size is found before HDF5, which does not get over a failed write, has begun.
+void require_space(const std::string& path, Index bytes) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  int failure = file < 0 ? errno : 0;
+  if (file >= 0) {
+    const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
+    if (::fallocate(file, 0, 0, bytes) != 0 && errno != EOPNOTSUPP) {
+      failure = errno;
+    }
+    std::signal(SIGXFSZ, old_handler);
+    ::close(file);
+    ::unlink(path.c_str());
+  }
+  if (failure != 0) {
+    throw RunError(fmt::format(
+        "{}: cannot write {:.1f} MB of fields: {}; free some space, or write "
+        "fields less often",
+        path, static_cast<Real>(bytes) / 1e6, std::generic_category().message(failure)));
+  }
+}
+
+void remove_steps_from(const std::string& folder, int first) {
+  for (int step = first; std::filesystem::remove(folder + "/" + step_file(step)); ++step) {
   }
 }
 
@@ -98,11 +116,13 @@ FieldWriter::FieldWriter(std::string folder, MPI_Comm comm, const GridBlock& gri
                          Provenance provenance)
     : FieldWriter(std::move(folder), comm, grid, std::move(provenance), {}, 0) {
   silence_hdf5();
-  together(comm_, [&] { require_block(grid_); });
-  // HDF5 wants identical attributes from all ranks; dates may differ by a second.
-  provenance_.date.resize(20, ' ');
-  MPI_Bcast(provenance_.date.data(), 20, MPI_CHAR, 0, comm_);
-  together(comm_, [&] { create_fields_file(hdf5_path(folder_), comm_, grid_, provenance_); });
+  together(comm_, [&] {
+    require_block(grid_);
+    if (is_root(comm_)) {
+      remove_steps_from(folder_, 0);
+    }
+  });
+  share_date();
   publish();
 }
 
@@ -110,25 +130,33 @@ FieldWriter FieldWriter::resume(std::string folder, MPI_Comm comm, const GridBlo
                                 Provenance provenance, Real time) {
   silence_hdf5();
   std::vector<FieldStep> steps;
-  int count = -1;
   together(comm, [&] {
     require_block(grid);
-    if (is_root(comm) && std::filesystem::exists(hdf5_path(folder))) {
-      steps = keep_steps_until(hdf5_path(folder), grid.global_cells, time);
-      count = static_cast<int>(steps.size());
+    const auto next = [&] { return step_file(static_cast<int>(steps.size())); };
+    while (is_root(comm) && std::filesystem::exists(folder + "/" + next())) {
+      FieldStep step = read_step_file(folder, next(), grid.global_cells);
+      if (!(step.time <= time)) {
+        break;
+      }
+      steps.push_back(std::move(step));
+    }
+    if (is_root(comm)) {
+      remove_steps_from(folder, static_cast<int>(steps.size()));
     }
   });
+  int count = static_cast<int>(steps.size());
   MPI_Bcast(&count, 1, MPI_INT, 0, comm);
-  if (count < 0) {
-    return {std::move(folder), comm, grid, std::move(provenance)};
-  }
   FieldWriter writer(std::move(folder), comm, grid, std::move(provenance), std::move(steps), count);
+  writer.share_date();
   writer.publish();
   return writer;
 }
 
 void FieldWriter::write(Real time, std::span<const ScalarField> scalars,
                         std::span<const VectorField> vectors) {
+  const std::string name = step_file(count_);
+  const std::string path = folder_ + "/" + name;
+  const std::string part = path + ".part";
   together(comm_, [&] {
     for (const ScalarField& field : scalars) {
       require_plain_name(field.name);
@@ -139,16 +167,15 @@ void FieldWriter::write(Real time, std::span<const ScalarField> scalars,
       require_size(field.name, field.values.size(), grid_, 3);
     }
     if (is_root(comm_)) {
-      const auto floats = static_cast<Real>(product(grid_.global_cells)) *
-                          static_cast<Real>(scalars.size() + 3 * vectors.size());
-      require_space(folder_, sizeof(float) * floats);
+      const Index floats =
+          product(grid_.global_cells) * static_cast<Index>(scalars.size() + 3 * vectors.size());
+      require_space(part, header_bytes + 4 * floats);
     }
   });
-  const std::string group = step_group(count_);
   together(comm_,
-           [&] { append_step(hdf5_path(folder_), comm_, grid_, group, time, scalars, vectors); });
+           [&] { write_step_file(part, comm_, grid_, time, scalars, vectors, provenance_); });
   if (is_root(comm_)) {
-    FieldStep step{time, group, {}, {}};
+    FieldStep step{time, name, {}, {}};
     for (const ScalarField& field : scalars) {
       step.scalars.push_back(field.name);
     }
@@ -157,16 +184,27 @@ void FieldWriter::write(Real time, std::span<const ScalarField> scalars,
     }
     steps_.push_back(std::move(step));
   }
+  together(comm_, [&] {
+    if (is_root(comm_)) {
+      std::filesystem::rename(part, path);
+    }
+  });
   ++count_;
   publish();
+}
+
+/// HDF5 wants identical attributes from all ranks; dates may differ by a second.
+void FieldWriter::share_date() {
+  provenance_.date.resize(20, ' ');
+  MPI_Bcast(provenance_.date.data(), 20, MPI_CHAR, 0, comm_);
 }
 
 void FieldWriter::publish() const {
   together(comm_, [&] {
     if (is_root(comm_)) {
+      write_index(folder_, steps_, provenance_);
       replace_file(folder_ + "/fields.xdmf",
-                   xdmf_text(grid_.global_cells, grid_.origin, grid_.spacing, "fields.h5", steps_,
-                             provenance_));
+                   xdmf_text(grid_.global_cells, grid_.origin, grid_.spacing, steps_, provenance_));
     }
   });
 }

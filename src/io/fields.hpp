@@ -34,21 +34,21 @@ struct VectorField {
   std::span<const float> values;  ///< 3 * nx * ny * nz of the block
 };
 
-/// Writes time steps of fields to `<folder>/fields.h5` and `<folder>/fields.xdmf`.
+/// Writes time steps of fields: `<folder>/fields.xdmf`, one `fields_NNNNNN.h5` per step, and
+/// `fields.h5`, which links to all steps as groups `step_NNNNNN`.
 ///
-/// The XDMF file opens in ParaView and with VTK's XDMF readers. Values are float32 and
-/// uncompressed. Between calls no file is open, and the XDMF file lists complete steps only: another
-/// program may read at any time, and an interrupted run leaves everything up to its last
-/// completed write.
+/// The XDMF file opens in ParaView and with VTK's XDMF readers. Values are float32, uncompressed.
+/// Every file is written under another name and then renamed, so other programs may read at any
+/// time, and neither an interrupted run nor a full disk harms an earlier step.
 class FieldWriter {
  public:
-  /// Starts new files, replacing those in the folder. Collective over `comm`, which must outlive
+  /// Starts a new series; the step files of an earlier one in the folder are removed. Collective over `comm`, which must outlive
   /// the writer. The provenance of rank 0 is written.
   /// @throws RunError  on every rank, when the folder cannot be written
   FieldWriter(std::string folder, MPI_Comm comm, const GridBlock& grid, Provenance provenance);
 
-  /// Continues the files of an earlier run: steps later than `time` [s] are dropped, the next
-  /// write follows the last one kept. Starts new files when there are none. Collective.
+  /// Continues an earlier run: steps later than `time` [s] are removed, the next write follows the
+  /// last one kept. Collective.
   /// @throws RunError  on every rank, when the files there are of another grid or unreadable
   [[nodiscard]] static FieldWriter resume(std::string folder, MPI_Comm comm, const GridBlock& grid,
                                           Provenance provenance, Real time);
@@ -57,7 +57,7 @@ class FieldWriter {
   ///
   /// One collective write per field; every rank writes its own block.
   /// @param time  [s]
-  /// @throws RunError  on every rank, on wrong sizes or names, a full disk (looked at before
+  /// @throws RunError  on every rank, on wrong sizes or names, a full disk (found before
   ///                   anything is written), or an HDF5 error with its reason
   void write(Real time, std::span<const ScalarField> scalars, std::span<const VectorField> vectors);
 
@@ -66,6 +66,7 @@ class FieldWriter {
  private:
   FieldWriter(std::string folder, MPI_Comm comm, const GridBlock& grid, Provenance provenance,
               std::vector<FieldStep> steps, int count);
+  void share_date();
   void publish() const;
 
   std::string folder_;

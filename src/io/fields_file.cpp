@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
+#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -16,34 +16,16 @@ namespace {
 constexpr const char* cells_name = "cells";
 constexpr const char* time_name = "time_s";
 
-/// Access through MPI-IO. Changed metadata stays in memory until the file closes, when the field
-/// values are on disk already: a run killed while it writes a large field harms no earlier step.
 Hdf5 parallel_access(MPI_Comm comm) {
-  Hdf5 access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "preparing parallel access");
-  require_hdf5(H5Pset_fapl_mpio(access.get(), comm, MPI_INFO_NULL), "preparing parallel access");
-  require_hdf5(H5Pset_coll_metadata_write(access.get(), true), "preparing parallel access");
-  require_hdf5(H5Pset_all_coll_metadata_ops(access.get(), true), "preparing parallel access");
-  H5AC_cache_config_t cache{};
-  cache.version = H5AC__CURR_CACHE_CONFIG_VERSION;
-  require_hdf5(H5Pget_mdc_config(access.get(), &cache), "preparing parallel access");
-  cache.evictions_enabled = false;
-  cache.incr_mode = H5C_incr__off;
-  cache.flash_incr_mode = H5C_flash_incr__off;
-  cache.decr_mode = H5C_decr__off;
-  require_hdf5(H5Pset_mdc_config(access.get(), &cache), "preparing parallel access");
+  const std::string doing = "preparing parallel access";
+  Hdf5 access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, doing);
+  require_hdf5(H5Pset_fapl_mpio(access.get(), comm, MPI_INFO_NULL), doing);
+  require_hdf5(H5Pset_coll_metadata_write(access.get(), true), doing);
   return access;
 }
 
-Hdf5 open_file(const std::string& path, unsigned mode, hid_t access) {
-  return {H5Fopen(path.c_str(), mode, access), H5Fclose, "opening " + path};
-}
-
-bool exists(hid_t where, const std::string& name) {
-  return H5Lexists(where, name.c_str(), H5P_DEFAULT) > 0;
-}
-
 /// One field: all ranks write their hyperslabs together. `components` is 1 or 3.
-void write_field(hid_t group, const GridBlock& grid, const std::string& name,
+void write_field(hid_t file, const GridBlock& grid, const std::string& name,
                  std::span<const float> values, int components) {
   const std::string doing = "writing field " + name;
   const int rank = components == 1 ? 3 : 4;
@@ -69,7 +51,7 @@ void write_field(hid_t group, const GridBlock& grid, const std::string& name,
   }
   Hdf5 creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, doing);
   require_hdf5(H5Pset_fill_time(creation.get(), H5D_FILL_TIME_NEVER), doing);
-  Hdf5 dataset(H5Dcreate2(group, name.c_str(), H5T_IEEE_F32LE, file_space.get(), H5P_DEFAULT,
+  Hdf5 dataset(H5Dcreate2(file, name.c_str(), H5T_IEEE_F32LE, file_space.get(), H5P_DEFAULT,
                           creation.get(), H5P_DEFAULT),
                H5Dclose, doing);
   Hdf5 transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose, doing);
@@ -78,6 +60,12 @@ void write_field(hid_t group, const GridBlock& grid, const std::string& name,
                         transfer.get(), values.data()),
                doing);
   dataset.finish(doing);
+}
+
+void write_provenance(hid_t file, const Provenance& provenance) {
+  for (const auto& [name, value] : entries(provenance)) {
+    write_attribute(file, name, value);
+  }
 }
 
 void describe_grid(hid_t file, const GridBlock& grid) {
@@ -107,16 +95,6 @@ herr_t note_field(hid_t group, const char* name, const H5L_info_t*, void* step) 
   return rank < 0 ? -1 : 0;
 }
 
-FieldStep read_step(hid_t file, const std::string& name) {
-  FieldStep step;
-  step.group = name;
-  Hdf5 group(H5Gopen2(file, name.c_str(), H5P_DEFAULT), H5Gclose, "opening step " + name);
-  read_attribute(group.get(), time_name, H5T_NATIVE_DOUBLE, &step.time);
-  require_hdf5(H5Literate(group.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, note_field, &step),
-               "listing step " + name);
-  return step;
-}
-
 void require_same_grid(hid_t file, const std::string& path, const Int3& cells) {
   std::array<Index, 3> found{};
   read_attribute(file, cells_name, H5T_NATIVE_INT64, found.data());
@@ -128,61 +106,54 @@ void require_same_grid(hid_t file, const std::string& path, const Int3& cells) {
 
 }  // namespace
 
-std::string step_group(int step) {
-  return fmt::format("step_{:06}", step);
+std::string step_file(int step) {
+  return fmt::format("fields_{:06}.h5", step);
 }
 
-void create_fields_file(const std::string& path, MPI_Comm comm, const GridBlock& grid,
-                        const Provenance& provenance) {
+void write_step_file(const std::string& path, MPI_Comm comm, const GridBlock& grid, Real time,
+                     std::span<const ScalarField> scalars, std::span<const VectorField> vectors,
+                     const Provenance& provenance) {
   const Hdf5 access = parallel_access(comm);
   Hdf5 file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose,
             "creating " + path);
-  for (const auto& [name, value] : entries(provenance)) {
-    write_attribute(file.get(), name, value);
-  }
+  write_provenance(file.get(), provenance);
   describe_grid(file.get(), grid);
-  file.finish("closing " + path);
-}
-
-void append_step(const std::string& path, MPI_Comm comm, const GridBlock& grid,
-                 const std::string& group_name, Real time, std::span<const ScalarField> scalars,
-                 std::span<const VectorField> vectors) {
-  const Hdf5 access = parallel_access(comm);
-  Hdf5 file = open_file(path, H5F_ACC_RDWR, access.get());
-  if (exists(file.get(), group_name)) {
-    require_hdf5(H5Ldelete(file.get(), group_name.c_str(), H5P_DEFAULT), "replacing " + group_name);
+  write_attribute(file.get(), time_name, std::span<const Real>(&time, 1));
+  for (const ScalarField& field : scalars) {
+    write_field(file.get(), grid, field.name, field.values, 1);
   }
-  {
-    Hdf5 group(H5Gcreate2(file.get(), group_name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-               H5Gclose, "creating group " + group_name);
-    write_attribute(group.get(), time_name, std::span<const Real>(&time, 1));
-    for (const ScalarField& field : scalars) {
-      write_field(group.get(), grid, field.name, field.values, 1);
-    }
-    for (const VectorField& field : vectors) {
-      write_field(group.get(), grid, field.name, field.values, 3);
-    }
+  for (const VectorField& field : vectors) {
+    write_field(file.get(), grid, field.name, field.values, 3);
   }
   file.finish("closing " + path);
 }
 
-std::vector<FieldStep> keep_steps_until(const std::string& path, const Int3& cells, Real time) {
-  Hdf5 file = open_file(path, H5F_ACC_RDWR, H5P_DEFAULT);
+FieldStep read_step_file(const std::string& folder, const std::string& name, const Int3& cells) {
+  const std::string path = folder + "/" + name;
+  const Hdf5 file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "opening " + path);
   require_same_grid(file.get(), path, cells);
-  std::vector<FieldStep> steps;
-  int step = 0;
-  for (; exists(file.get(), step_group(step)); ++step) {
-    FieldStep stored = read_step(file.get(), step_group(step));
-    if (!(stored.time <= time)) {
-      break;
-    }
-    steps.push_back(std::move(stored));
+  FieldStep step;
+  step.file = name;
+  read_attribute(file.get(), time_name, H5T_NATIVE_DOUBLE, &step.time);
+  require_hdf5(H5Literate(file.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, note_field, &step),
+               "listing the fields of " + path);
+  return step;
+}
+
+void write_index(const std::string& folder, const std::vector<FieldStep>& steps,
+                 const Provenance& provenance) {
+  const std::string path = folder + "/fields.h5";
+  const std::string part = path + ".part";
+  Hdf5 file(H5Fcreate(part.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,
+            "creating " + part);
+  write_provenance(file.get(), provenance);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    require_hdf5(H5Lcreate_external(steps[i].file.c_str(), "/", file.get(),
+                                    fmt::format("step_{:06}", i).c_str(), H5P_DEFAULT, H5P_DEFAULT),
+                 "writing " + part);
   }
-  for (; exists(file.get(), step_group(step)); ++step) {
-    require_hdf5(H5Ldelete(file.get(), step_group(step).c_str(), H5P_DEFAULT), "dropping a step");
-  }
-  file.finish("closing " + path);
-  return steps;
+  file.finish("closing " + part);
+  std::filesystem::rename(part, path);
 }
 
 }  // namespace porefines::io

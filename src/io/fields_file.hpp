@@ -11,29 +11,30 @@
 
 namespace porefines::io {
 
-/// The HDF5 side of FieldWriter. Layout of the file:
+/// The HDF5 side of FieldWriter: one file per step, and an index that makes them look like one.
 ///
-///     /                         attributes version, commit, ranks, seed, date, cells, origin_m, spacing_m (x y z)
-///     /step_000000              attribute time_s
-///     /step_000000/<name>       float32 [nz][ny][nx] or [nz][ny][nx][3]
+///     fields_000000.h5:/<name>       float32 [nz][ny][nx] or [nz][ny][nx][3]
+///     fields_000000.h5:/             attributes time_s, cells, origin_m, spacing_m (x y z),
+///                                    version, commit, ranks, seed, date
+///     fields.h5:/step_000000         external link to /  of fields_000000.h5
 ///
-/// Every function opens and closes the file itself and throws RunError on this rank only.
+/// Each function throws RunError on this rank only.
 
-/// Group of a step.
-[[nodiscard]] std::string step_group(int step);
+/// Name of the file of a step.
+[[nodiscard]] std::string step_file(int step);
 
-/// Makes an empty file. Collective.
-void create_fields_file(const std::string& path, MPI_Comm comm, const GridBlock& grid,
-                        const Provenance& provenance);
+/// Writes a whole step file; the name may be a temporary one. Collective.
+void write_step_file(const std::string& path, MPI_Comm comm, const GridBlock& grid, Real time,
+                     std::span<const ScalarField> scalars, std::span<const VectorField> vectors,
+                     const Provenance& provenance);
 
-/// Adds one step; a group of that name left by an interrupted write is replaced. Collective.
-void append_step(const std::string& path, MPI_Comm comm, const GridBlock& grid,
-                 const std::string& group, Real time, std::span<const ScalarField> scalars,
-                 std::span<const VectorField> vectors);
-
-/// What the steps up to `time` [s] hold; all later ones are removed from the file. One rank.
+/// What a step file holds. One rank.
 /// @throws RunError  also when the file is of a grid with other `cells`
-[[nodiscard]] std::vector<FieldStep> keep_steps_until(const std::string& path, const Int3& cells,
-                                                      Real time);
+[[nodiscard]] FieldStep read_step_file(const std::string& folder, const std::string& file,
+                                       const Int3& cells);
+
+/// Replaces the index, whole or not at all. One rank.
+void write_index(const std::string& folder, const std::vector<FieldStep>& steps,
+                 const Provenance& provenance);
 
 }  // namespace porefines::io

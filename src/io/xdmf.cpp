@@ -21,8 +21,7 @@ std::string attribute_text(const std::string& name, const std::string& type,
 }  // namespace
 
 std::string xdmf_text(const Int3& cells, const Vec3& origin, const Vec3& spacing,
-                      const std::string& hdf5, const std::vector<FieldStep>& steps,
-                      const Provenance& provenance) {
+                      const std::vector<FieldStep>& steps, const Provenance& provenance) {
   const auto [nx, ny, nz] = cells;
   const std::string per_cell = fmt::format("{} {} {}", nz, ny, nx);
   std::string text = R"(<?xml version="1.0" ?>
@@ -45,9 +44,9 @@ std::string xdmf_text(const Int3& cells, const Vec3& origin, const Vec3& spacing
           <DataItem Dimensions="3" NumberType="Float" Precision="8" Format="XML">{} {} {}</DataItem>
         </Geometry>
 )",
-                   step.group, step.time, nz + 1, ny + 1, nx + 1, origin.z, origin.y, origin.x,
+                   step.file, step.time, nz + 1, ny + 1, nx + 1, origin.z, origin.y, origin.x,
                    spacing.z, spacing.y, spacing.x);
-    const std::string where = hdf5 + ":/" + step.group + "/";
+    const std::string where = step.file + ":/";
     for (const std::string& name : step.scalars) {
       text += attribute_text(name, "Scalar", per_cell, where + name);
     }

@@ -9,11 +9,11 @@
 
 namespace porefines::io {
 
-/// One time step in the HDF5 file: datasets `/<group>/<name>`, float32, cell-centred,
+/// One time step in an HDF5 file of its own: datasets `/<name>`, float32, cell-centred,
 /// of shape [nz][ny][nx] (scalars) or [nz][ny][nx][3] (vectors).
 struct FieldStep {
-  Real time = 0;  ///< [s]
-  std::string group;
+  Real time = 0;     ///< [s]
+  std::string file;  ///< relative to the folder of the XDMF file
   std::vector<std::string> scalars;
   std::vector<std::string> vectors;
 };
@@ -24,9 +24,8 @@ struct FieldStep {
 /// @param cells    [-]  nx, ny, nz
 /// @param origin   [m]  low corner of cell (0, 0, 0)
 /// @param spacing  [m]  edges of a cell
-/// @param hdf5     file name, relative to the folder of the XDMF file
 [[nodiscard]] std::string xdmf_text(const Int3& cells, const Vec3& origin, const Vec3& spacing,
-                                    const std::string& hdf5, const std::vector<FieldStep>& steps,
+                                    const std::vector<FieldStep>& steps,
                                     const Provenance& provenance);
 
 }  // namespace porefines::io

@@ -202,7 +202,7 @@ TEST_F(IoFields, a_write_that_fails_says_why_and_leaves_the_earlier_steps) {
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);
   rlimit low = before;
-  low.rlim_cur = std::filesystem::file_size(folder + "/fields.h5") + 100000;
+  low.rlim_cur = std::filesystem::file_size(folder + "/fields_000000.h5") - 1000000;
   MPI_Barrier(MPI_COMM_WORLD);
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
   setrlimit(RLIMIT_FSIZE, &low);
@@ -214,15 +214,11 @@ TEST_F(IoFields, a_write_that_fails_says_why_and_leaves_the_earlier_steps) {
   }
   setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, handler);
-  EXPECT_NE(message.find("rit"), std::string::npos) << message;
+  EXPECT_NE(message.find("File too large"), std::string::npos) << message;
   EXPECT_EQ(count(text(folder + "/fields.xdmf"), "<Time"), 1);
   MPI_Barrier(MPI_COMM_WORLD);
   EXPECT_EQ(dataset(folder + "/fields.h5", "step_000000/pressure").size(),
             static_cast<std::size_t>(product(cells)));
-  if (world_rank() == 0) {
-    RecordProperty("message", message);
-    std::printf("the message: %s\n", message.c_str());
-  }
 }
 
 TEST(io_agree, lowest_failing_rank_speaks_for_all) {
