@@ -14,11 +14,11 @@
 namespace porefines::config {
 namespace {
 
-/// The names that may stand in a table: "grid." -> cell_size, cells, decomposition.
+/// The names that may stand in a table of this version: "grid." -> cell_size, cells, decomposition.
 std::vector<std::string> names_in(const std::string& prefix) {
   std::vector<std::string> names;
   for (const Key& key : all_keys()) {
-    if (key.path.starts_with(prefix)) {
+    if (key.read && key.path.starts_with(prefix)) {
       const std::string rest = key.path.substr(prefix.size());
       const std::string name = rest.substr(0, rest.find('.'));
       if (std::find(names.begin(), names.end(), name) == names.end()) {
@@ -101,12 +101,40 @@ Case read_tree(const Node& root, const std::string& path) {
   return subject;
 }
 
+/// Keys of which one makes the others superfluous.
+const std::vector<std::vector<std::string>>& alternatives() {
+  static const std::vector<std::vector<std::string>> groups{
+      {"grid.cell_size", "grid.cells"},
+      {"geometry.threshold", "geometry.pore_value"},
+      {"flow.inlet.pressure", "flow.inlet.flow_rate", "flow.inlet.velocity"},
+      {"flow.outlet.pressure", "flow.outlet.flow_rate", "flow.outlet.velocity"},
+      {"flow.pressure_tolerance", "flow.tolerance"}};
+  return groups;
+}
+
+/// An alternative on the command line takes the place of the one in the file.
+void drop_replaced(Node& root) {
+  for (const auto& group : alternatives()) {
+    const bool replaced = std::any_of(group.begin(), group.end(), [&](const std::string& path) {
+      const Node* node = find(root, path);
+      return node != nullptr && node->place.command_line;
+    });
+    for (const std::string& path : group) {
+      const Node* node = find(root, path);
+      if (replaced && node != nullptr && !node->place.command_line) {
+        erase(root, path);
+      }
+    }
+  }
+}
+
 Node read_with_overrides(std::string_view text, const std::string& name,
                          const std::vector<std::string>& overrides) {
   Node root = parse_toml(text, name);
   for (const std::string& assignment : overrides) {
     apply_override(root, assignment);
   }
+  drop_replaced(root);
   return root;
 }
 

@@ -12,7 +12,8 @@ namespace porefines::config {
 
 /// Reads and checks a case file: SI, defaults filled, every face of the box decided.
 ///
-/// @param overrides  from the command line, "grid.cell_size=5 um", applied in order
+/// @param overrides  from the command line, "grid.cell_size=5 um", applied in order; one of several
+///                   alternatives (cells for cell_size) replaces the one in the file
 /// @throws InputError  `cases/x.toml:12: [grid] cell_sise: unknown key; did you mean cell_size?`
 /// Every rank reads the file itself; no communication.
 /// Tests: unit/config.

@@ -20,6 +20,24 @@ const Node* find(const Node& root, std::string_view path) {
   return dot == path.npos ? &entry->node : find(entry->node, path.substr(dot + 1));
 }
 
+void erase(Node& root, std::string_view path) {
+  const auto dot = path.find('.');
+  const std::string_view name = path.substr(0, dot);
+  auto* table = std::get_if<Table>(&root.value);
+  if (table == nullptr) {
+    return;
+  }
+  if (dot == path.npos) {
+    std::erase_if(*table, [&](const Entry& entry) { return entry.name == name; });
+    return;
+  }
+  for (Entry& entry : *table) {
+    if (entry.name == name) {
+      erase(entry.node, path.substr(dot + 1));
+    }
+  }
+}
+
 Place place_of(const Node& root, std::string_view path) {
   if (const Node* node = find(root, path)) {
     return node->place;

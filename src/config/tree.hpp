@@ -40,6 +40,9 @@ void apply_override(Node& root, const std::string& assignment);
 /// The node at "flow.inlet.face"; null when it was not given.
 [[nodiscard]] const Node* find(const Node& root, std::string_view path);
 
+/// Takes away what is there.
+void erase(Node& root, std::string_view path);
+
 /// Where a key was given; for an absent one the place of the innermost table that should hold it.
 [[nodiscard]] Place place_of(const Node& root, std::string_view path);
 

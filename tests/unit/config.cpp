@@ -127,6 +127,17 @@ TEST(Config, the_command_line_replaces_and_adds) {
   EXPECT_EQ(c.run.title, "5");
 }
 
+TEST(Config, an_alternative_on_the_command_line_replaces_the_one_in_the_file) {
+  const Case c =
+      parse_case(image_case, "chip.toml", {"grid.cells=[8, 6, 2]", "flow.inlet.flow_rate=1 mL/s"});
+  EXPECT_EQ(c.grid.cell_size, 0);
+  EXPECT_EQ(c.grid.cells, (Int3{8, 6, 2}));
+  EXPECT_EQ(c.flow.inlet->kind, DriveKind::flow_rate);
+  EXPECT_THROW(
+      (void)parse_case(image_case, "chip.toml", {"grid.cells=[8, 6, 2]", "grid.cell_size=1 um"}),
+      InputError);
+}
+
 TEST(Config, paths_start_at_the_case_file_or_on_the_command_line_at_the_shell) {
   namespace fs = std::filesystem;
   EXPECT_EQ(parse_case(image_case, "a/b.toml").geometry.source, fs::absolute("a/chip.png"));
