@@ -116,6 +116,9 @@ Node read_value(const std::string& text, const Place& place) {
   } catch (const toml::parse_error&) {
     // not TOML: a text without its quotes, as the shell left it
   }
+  if (!is_utf8(text)) {
+    fail(place, "is not UTF-8 text");  // could not be written into the effective case
+  }
   return Node{text, place};
 }
 

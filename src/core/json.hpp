@@ -33,6 +33,8 @@ class Json {
   std::vector<std::pair<std::string, std::string>> members_;
 };
 
+[[nodiscard]] bool is_utf8(std::string_view text);
+
 /// A JSON string with its quotes; bytes that are not UTF-8 become U+FFFD.
 [[nodiscard]] std::string json_string(std::string_view text);
 

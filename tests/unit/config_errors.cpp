@@ -184,6 +184,7 @@ TEST(ConfigErrors, overrides_name_the_command_line) {
   EXPECT_EQ(message_of(box_case, {"grid..cell_size=1"}),
             "command line: \"grid..cell_size\" is no key\n"
             "write key.path=value, e.g. \"grid.cell_size=5 um\"");
+  EXPECT_EQ(message_of(box_case, {"title=caf\xe9"}), "command line: title: is not UTF-8 text");
   EXPECT_EQ(message_of(box_case, {"grid.cell_size.x=1"}),
             "command line: grid.cell_size: is a single value, it holds no key x");
 }

@@ -41,6 +41,14 @@ TEST(Json, escapes_strings) {
   EXPECT_EQ(json_string("\xff\xc3"), "\"\\ufffd\\ufffd\"");  // Latin-1 and a cut sequence
 }
 
+TEST(Json, knows_utf8) {
+  EXPECT_TRUE(is_utf8("5 \u00b5m \u20ac \U0001f600"));
+  EXPECT_FALSE(is_utf8("\xe9"));
+  EXPECT_FALSE(is_utf8("\xc0\x80"));          // overlong
+  EXPECT_FALSE(is_utf8("\xed\xa0\x80"));      // surrogate
+  EXPECT_FALSE(is_utf8("\xf4\x90\x80\x80"));  // past the last code point
+}
+
 TEST(Json, an_empty_object_is_valid) {
   EXPECT_EQ(Json().text(), "{\n}\n");
 }
