@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "geom/clean.hpp"
 #include "geom/image_read.hpp"
+#include "geom/throat_opening.hpp"
 
 namespace porefines::geom {
 
@@ -23,6 +25,24 @@ Index count_pores(const Voxels& voxels) {
   return std::accumulate(voxels.pore.begin(), voxels.pore.end(), Index{0});
 }
 
+/// The order matters: noise must not count as a throat, and throats must be open before pores
+/// are judged by whether they carry flow.
+void clean(const Spec& spec, Voxels& voxels) {
+  std::array<bool, 3> periodic{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    periodic[a] = spec.beyond[a] == Beyond::periodic;
+  }
+  remove_small(voxels, Phase::grain, spec.remove_grains_below, periodic);
+  remove_small(voxels, Phase::pore, spec.fill_pores_below, periodic);
+  reconnect(voxels, spec.reconnect_gap, periodic);
+  if (spec.minimum_throat > 0) {
+    open_throats(voxels, spec.minimum_throat / spec.pixel_size, spec.beyond);
+  }
+  if (spec.only_percolating && !(voxels.n[2] == 1 && spec.flow_axis == 2)) {
+    keep_percolating(voxels, periodic, spec.flow_axis, spec.source);
+  }
+}
+
 Voxels read_voxels(const Spec& spec, Sample& sample) {
   if (!(spec.pixel_size > 0)) {
     throw InputError(
@@ -33,7 +53,8 @@ Voxels read_voxels(const Spec& spec, Sample& sample) {
       crop(read_image(spec.source, spec.raw_size), spec.crop[0], spec.crop[1], spec.source);
   Voxels voxels = segment(std::move(grey), spec.segmentation, spec.source);
   sample.found_pores = count_pores(voxels);
-  sample.kept_pores = sample.found_pores;
+  clean(spec, voxels);
+  sample.kept_pores = count_pores(voxels);
   return voxels;
 }
 
