@@ -30,7 +30,7 @@ void write_step_file(const std::string& path, MPI_Comm comm, const GridBlock& gr
 
 /// What a step file holds. One rank.
 /// @throws RunError  also when the file is of a grid with other `cells`
-[[nodiscard]] FieldStep read_step_file(const std::string& folder, const std::string& file,
+[[nodiscard]] FieldStep read_step_file(const std::string& folder, const std::string& name,
                                        const Int3& cells);
 
 /// Replaces the index, whole or not at all. One rank.

@@ -56,11 +56,12 @@ SeriesWriter::SeriesWriter(std::string path, std::size_t columns, const std::str
   }
 }
 
-SeriesWriter SeriesWriter::resume(std::string path, std::vector<std::string> names, Real time) {
+SeriesWriter SeriesWriter::resume(std::string path, const std::vector<std::string>& names,
+                                  Real time) {
   const std::string header = header_of(names);
   std::ifstream file(path, std::ios::binary);
   if (!file) {
-    return {std::move(path), std::move(names)};
+    return {std::move(path), names};
   }
   const std::string content{std::istreambuf_iterator<char>(file), {}};
   if (!content.starts_with(header)) {

@@ -24,7 +24,7 @@ class SeriesWriter {
   /// that was cut short. A missing file starts a new table.
   /// @param time  [s]  of the checkpoint that the run restarts from
   /// @throws RunError  when the header there is not `names`
-  [[nodiscard]] static SeriesWriter resume(std::string path, std::vector<std::string> names,
+  [[nodiscard]] static SeriesWriter resume(std::string path, const std::vector<std::string>& names,
                                            Real time);
 
   /// Appends one row; one value per name, in their order.

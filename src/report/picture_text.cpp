@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MPL-2.0
 #include "report/picture_text.hpp"
 
-#include <cctype>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -21,26 +21,38 @@ struct Run {
   char sign = 0;  ///< 'u': micro, 'x': times, '.': dot
 };
 
+void add_letter(std::vector<Run>& runs, char letter, bool raised) {
+  if (runs.empty() || runs.back().sign != 0 || runs.back().raised != raised) {
+    runs.push_back({"", raised, 0});
+  }
+  runs.back().text += letter;
+}
+
+void add_sign(std::vector<Run>& runs, const std::string& letter) {
+  const char sign = letter == "µ" ? 'u' : letter == "×" ? 'x' : letter == "·" ? '.' : 0;
+  if (sign != 0) {
+    runs.push_back({"u", false, sign});
+  } else {
+    add_letter(runs, '?', false);
+  }
+}
+
+bool can_be_raised(char letter) {
+  return letter == '-' || (letter >= '0' && letter <= '9');
+}
+
 std::vector<Run> split(const std::string& text) {
   std::vector<Run> runs;
-  const auto add = [&runs](char letter, bool raised) {
-    if (runs.empty() || runs.back().sign != 0 || runs.back().raised != raised) {
-      runs.push_back({"", raised, 0});
-    }
-    runs.back().text += letter;
-  };
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto byte = static_cast<unsigned char>(text[i]);
     if (byte == '^') {
-      for (; i + 1 < text.size() && (text[i + 1] == '-' || std::isdigit(text[i + 1]) != 0); ++i) {
-        add(text[i + 1], true);
+      for (; i + 1 < text.size() && can_be_raised(text[i + 1]); ++i) {
+        add_letter(runs, text[i + 1], true);
       }
     } else if (byte < 128) {
-      add(text[i], false);
+      add_letter(runs, text[i], false);
     } else if (byte >= 0xC0) {  // the first byte of a longer character
-      const std::string letter = text.substr(i, 2);
-      const char sign = letter == "µ" ? 'u' : letter == "×" ? 'x' : letter == "·" ? '.' : 0;
-      sign != 0 ? runs.push_back({"u", false, sign}) : add('?', false);
+      add_sign(runs, text.substr(i, 2));
     }
   }
   return runs;

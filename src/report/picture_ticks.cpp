@@ -34,7 +34,7 @@ DisplayUnit display_unit(Real largest, const std::string& unit) {
   }
   const Real factor = std::pow(10.0, 3 * thousands);
   if (takes_prefix(unit) && thousands >= -6 && thousands <= 6) {
-    return {factor, prefixes[static_cast<std::size_t>(thousands + 6)] + unit};
+    return {factor, prefixes.at(thousands + 6) + unit};
   }
   const std::string power = fmt::format("10^{}", 3 * thousands);
   return {factor, unit.empty() ? power : power + " " + unit};
