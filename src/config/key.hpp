@@ -45,8 +45,8 @@ struct Key {
 // How the common kinds of keys are made. `part` and `member` lead to the variable in the Case.
 
 template <typename Part>
-Key text_key(std::string path, Part Case::*part, std::string Part::*member, std::string absent,
-             std::string doc) {
+Key text_key(const std::string& path, Part Case::*part, std::string Part::*member,
+             const std::string& absent, const std::string& doc) {
   return {path,
           "text",
           doc,
@@ -59,7 +59,8 @@ Key text_key(std::string path, Part Case::*part, std::string Part::*member, std:
 }
 
 template <typename Part>
-Key flag_key(std::string path, Part Case::*part, bool Part::*member, std::string doc) {
+Key flag_key(const std::string& path, Part Case::*part, bool Part::*member,
+             const std::string& doc) {
   return {path, "true or false", doc,
           [=](Case& c, const Node& node) { c.*part.*member = read_flag(node); },
           [=](const Case& c) { return std::string(c.*part.*member ? "true" : "false"); }};
@@ -67,8 +68,8 @@ Key flag_key(std::string path, Part Case::*part, bool Part::*member, std::string
 
 /// Integers stay below 2^63, the largest that TOML can say.
 template <typename Part, typename Integer>
-Key integer_key(std::string path, Part Case::*part, Integer Part::*member, Range range,
-                std::string doc) {
+Key integer_key(const std::string& path, Part Case::*part, Integer Part::*member, Range range,
+                const std::string& doc) {
   return {path, "whole number, " + range.text(), doc,
           [=](Case& c, const Node& node) {
             c.*part.*member = static_cast<Integer>(read_integer(node, range));
@@ -78,8 +79,9 @@ Key integer_key(std::string path, Part Case::*part, Integer Part::*member, Range
 
 /// A quantity, or with kind::number a plain number. A value outside of its range means absent.
 template <typename Part>
-Key quantity_key(std::string path, Part Case::*part, Real Part::*member, const QuantityKind& wanted,
-                 Range range, std::string absent, std::string doc) {
+Key quantity_key(const std::string& path, Part Case::*part, Real Part::*member,
+                 const QuantityKind& wanted, Range range, const std::string& absent,
+                 const std::string& doc) {
   const std::string type = wanted.si_unit.empty() ? "number, " + range.text()
                                                   : std::string(wanted.name) + ", e.g. `\"" +
                                                         std::string(wanted.example) + "\"`";
@@ -96,8 +98,8 @@ Key quantity_key(std::string path, Part Case::*part, Real Part::*member, const Q
 
 /// A word out of a list whose order is that of the enum.
 template <typename Part, typename Enum>
-Key choice_key(std::string path, Part Case::*part, Enum Part::*member,
-               std::vector<std::string> names, std::string doc) {
+Key choice_key(const std::string& path, Part Case::*part, Enum Part::*member,
+               const std::vector<std::string>& names, const std::string& doc) {
   std::string type;
   for (const std::string& name : names) {
     type += (type.empty() ? "`" : ", `") + toml_string(name) + "`";
@@ -112,8 +114,8 @@ Key choice_key(std::string path, Part Case::*part, Enum Part::*member,
 
 /// Three whole numbers; all zero means absent.
 template <typename Part>
-Key int3_key(std::string path, Part Case::*part, Int3 Part::*member, Range range,
-             std::string example, std::string absent, std::string doc) {
+Key int3_key(const std::string& path, Part Case::*part, Int3 Part::*member, Range range,
+             const std::string& example, const std::string& absent, const std::string& doc) {
   return {path,
           "three whole numbers, e.g. `" + example + "`",
           doc,

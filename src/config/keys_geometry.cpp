@@ -95,7 +95,7 @@ void read_crop(Case& c, const Node& node) {
     }
     const auto first = static_cast<int>(read_integer(pair[0], pixels));
     const auto last = static_cast<int>(read_integer(pair[1], pixels));
-    if (first >= last && last != 0) {
+    if (first >= last) {
       fail(axes[axis].place,
            fmt::format("[{}, {}] is empty: first must be less than past-last", first, last));
     }
@@ -106,9 +106,11 @@ void read_crop(Case& c, const Node& node) {
 
 std::string write_crop(const Case& c) {
   const auto& [first, last] = c.geometry.crop;
-  return last == Int3{} ? ""
-                        : fmt::format("[[{}, {}], [{}, {}], [{}, {}]]", first[0], last[0], first[1],
-                                      last[1], first[2], last[2]);
+  std::string pairs;
+  for (std::size_t axis = 0; axis < 3 && last[axis] > 0; ++axis) {
+    pairs += fmt::format("{}[{}, {}]", axis == 0 ? "" : ", ", first[axis], last[axis]);
+  }
+  return pairs.empty() ? "" : "[" + pairs + "]";
 }
 
 Key image_only(Key key) {
@@ -137,8 +139,8 @@ std::vector<Key> image_keys() {
       quantity_key("geometry.depth", part, &Geometry::depth, kind::length, some_length,
                    "required for a 2D image", "extrusion of a 2D image along z"),
       {"geometry.crop", "a pair [first, past-last] for each axis, in voxels",
-       "the part of the image that is used; [0, 0] leaves an axis whole", read_crop, write_crop,
-       "the whole image"},
+       "the part of the image that is used; y points up; two pairs for a 2D image", read_crop,
+       write_crop, "the whole image"},
       choice_key("geometry.surface", part, &Geometry::surface, {"smooth", "voxel"},
                  "a sub-pixel surface, or the staircase of the pixels itself"),
       quantity_key("geometry.smooth", part, &Geometry::smooth, kind::length, length_or_none,

@@ -51,7 +51,7 @@ void check_opening(const std::string& name, const Node& given) {
   const std::string path = "flow." + name;
   std::vector<std::string> drives;
   for (const std::string drive : {"pressure", "flow_rate", "velocity"}) {
-    if (find(given, path + "." + drive) != nullptr) {
+    if (find(given, fmt::format("{}.{}", path, drive)) != nullptr) {
       drives.push_back(drive);
     }
   }

@@ -7,6 +7,7 @@ namespace porefines {
 namespace {
 
 // A handler can reach nothing but a global of this type.
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
 volatile std::sig_atomic_t signal_flag = 0;
 
 void remember(int number) {

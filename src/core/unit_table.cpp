@@ -125,7 +125,7 @@ std::string suggest_unit(std::string_view word) {
   }
   for (const Prefix& prefix : prefixes) {
     for (const Unit& unit : units) {
-      const std::string right = prefix.letter + std::string(unit.symbol);
+      std::string right = prefix.letter + std::string(unit.symbol);
       if (unit.takes_prefix && wrong == lower(right)) {
         return right;
       }

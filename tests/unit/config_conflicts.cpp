@@ -56,6 +56,8 @@ constexpr Conflict geometry_conflicts[] = {
      "for a binary image say which value is pore: pore_value = 0"},
     {"crop = [[5, 5], [0, 9]]", cells, drive,
      "x.toml:2: [geometry] crop: [5, 5] is empty: first must be less than past-last"},
+    {"crop = [[0, 9], [0, 9], [0, 0]]", cells, drive,
+     "x.toml:2: [geometry] crop: [0, 0] is empty: first must be less than past-last"},
     {"crop = [[5, 9]]", cells, drive,
      "x.toml:2: [geometry] crop: has 1 pairs, needs one per axis: [[0, 400], [0, 300]], and a "
      "third pair for a volume"},
