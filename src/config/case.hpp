@@ -44,8 +44,8 @@ struct Geometry {
   int fill_pores_below = 0;       ///< [pixels] pores smaller than this are filled
   Real simplify = 0.5;            ///< [pixels] tolerance of the simplified outlines
   Real minimum_throat = 0;        ///< [m] narrower throats are reopened to this width
-  std::array<Int3, 2>
-      crop{};  ///< image: {first, past-last} voxel; z is 0, 0 for a 2D image; zeros: all
+  /// Image: {first, past-last} voxel, y upwards; z is 0, 0 for a 2D image; all zero: everything.
+  std::array<Int3, 2> crop{};
   friend bool operator==(const Geometry&, const Geometry&) = default;
 };
 
