@@ -2,7 +2,6 @@
 #include "geom/throat_opening.hpp"
 
 #include <algorithm>
-#include <queue>
 
 #include "geom/nearest.hpp"
 #include "geom/simple_point.hpp"
@@ -139,19 +138,34 @@ std::vector<std::uint8_t> thin(const VoxelView& image, const Surroundings& beyon
     }
     return is_simple(around, flat);
   };
-  using Entry = std::pair<int, Index>;  // lowest distance first, then lowest place
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  // first in, first out within a distance: lines stay in the middle
+  std::vector<std::vector<Index>> bucket;
+  std::vector<std::size_t> head;
+  std::size_t lowest = 0;
   const auto push = [&](Index v) {
-    if (left[static_cast<std::size_t>(v)] != 0 && anchor[static_cast<std::size_t>(v)] == 0) {
-      queue.push({depth.square[static_cast<std::size_t>(v)], v});
+    const auto u = static_cast<std::size_t>(v);
+    if (left[u] == 0 || anchor[u] != 0) {
+      return;
     }
+    const auto level = static_cast<std::size_t>(depth.square[u]);
+    if (level >= bucket.size()) {
+      bucket.resize(level + 1);
+      head.resize(level + 1, 0);
+    }
+    bucket[level].push_back(v);
+    lowest = std::min(lowest, level);
   };
   for (Index v = 0; v < product(n); ++v) {
     push(v);
   }
-  while (!queue.empty()) {
-    const Index v = queue.top().second;
-    queue.pop();
+  while (lowest < bucket.size()) {
+    if (head[lowest] == bucket[lowest].size()) {
+      bucket[lowest].clear();
+      head[lowest] = 0;
+      ++lowest;
+      continue;
+    }
+    const Index v = bucket[lowest][head[lowest]++];
     if (left[static_cast<std::size_t>(v)] == 0 || !removable(v)) {
       continue;
     }
