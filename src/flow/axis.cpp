@@ -83,16 +83,6 @@ AxisTransfer make_transfer(const grid::Block& fine, int axis, const std::vector<
     const int wrapped = periodic ? ((coarse % n) + n) % n : coarse;
     return wrapped >= 0 && 2 * wrapped + 1 < f.size();
   };
-  const auto closed = [&](int coarse_face) {
-    return !periodic && ((coarse_face == 0 && !boundaries.open(axis, false)) ||
-                         (coarse_face == c.size() && !boundaries.open(axis, true)));
-  };
-  const auto low_weight = [&](int coarse) -> Real {  // of face I in the odd fine face of cell I
-    return !has_second(coarse) ? 0 : closed(coarse) ? 0 : closed(coarse + 1) ? 1 : 0.5;
-  };
-  const auto high_weight = [&](int coarse) -> Real {
-    return !has_second(coarse) ? 0 : closed(coarse + 1) ? 0 : closed(coarse) ? 1 : 0.5;
-  };
   for (int I = 0; I <= count; ++I) {
     const int coarse = first + I;
     const int here = 2 * coarse;  // global fine index of child and face 2I
@@ -100,9 +90,9 @@ AxisTransfer make_transfer(const grid::Block& fine, int axis, const std::vector<
     if (I < count) {
       t.cell_first[at] = static_cast<float>(f.cell(here) / c.cell(coarse));
       t.cell_second[at] = static_cast<float>(has_second(coarse) ? f.cell(here + 1) / c.cell(coarse) : 0);
-      t.odd_low[at] = static_cast<float>(low_weight(coarse));
       // A last cell with one child ends at an odd fine face, which is coarse face I+1 itself.
-      t.odd_high[at] = static_cast<float>(has_second(coarse) ? high_weight(coarse) : 1);
+      t.odd_low[at] = has_second(coarse) ? 0.5F : 0.0F;
+      t.odd_high[at] = has_second(coarse) ? 0.5F : 1.0F;
     }
     if (!t.coarsened) {
       t.face_middle[at] = 1.0F;
@@ -115,12 +105,10 @@ AxisTransfer make_transfer(const grid::Block& fine, int axis, const std::vector<
     const int middle = mirror_high ? f.size() : here;
     t.face_middle[at] = static_cast<float>(f.between(middle) / d);
     if (!mirror_low && has_second(coarse - 1)) {
-      t.face_before[at] = static_cast<float>((mirror_high ? 2 : 1) * high_weight(coarse - 1) *
-                                             f.between(middle - 1) / d);
+      t.face_before[at] = static_cast<float>((mirror_high ? 1 : 0.5) * f.between(middle - 1) / d);
     }
     if (!mirror_high && has_second(coarse)) {
-      t.face_after[at] = static_cast<float>((mirror_low ? 2 : 1) * low_weight(coarse) *
-                                            f.between(here + 1) / d);
+      t.face_after[at] = static_cast<float>((mirror_low ? 1 : 0.5) * f.between(here + 1) / d);
     }
   }
   return t;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <span>
+#include <cstdlib>
 
 #include "flow/smoother.hpp"
 
@@ -10,8 +11,8 @@ namespace porefines::flow {
 
 namespace {
 
-constexpr int sweeps_per_side = 2;
-constexpr int coarsest_sweeps = 20;
+const int sweeps_per_side = getenv("NU")?atoi(getenv("NU")):2;
+const int coarsest_sweeps = getenv("CS")?atoi(getenv("CS")):20;
 
 std::array<std::vector<Real>, 3> fine_widths(const Int3& cells, const Vec3& spacing) {
   std::array<std::vector<Real>, 3> w;
@@ -114,8 +115,8 @@ void Hierarchy::build() {
 
 void Hierarchy::solve_mobility() {
   Level& fine = finest();
-  constexpr float omega = 1.6F;
-  mobility_sweeps_ = 24;
+  const float omega = atof(getenv("OM"));
+  mobility_sweeps_ = atoi(getenv("MS"));
   for (int c = 0; c < 3; ++c) {
     fine.f[c] = fine.weight[c];
     std::fill(fine.u[c].begin(), fine.u[c].end(), 0.0F);
@@ -133,7 +134,7 @@ void Hierarchy::solve_mobility() {
 
 bool Hierarchy::add_coarse_level() {
   Level& fine = levels_.back();
-  if (product(fine.block.global) == 1) {
+  if (product(fine.block.global) == 1 || (int)levels_.size()>=(getenv("NL")?atoi(getenv("NL")):20)) {
     return false;
   }
   const par::Decomposition coarse_cut = fine.decomposition.coarsened();
@@ -146,6 +147,7 @@ bool Hierarchy::add_coarse_level() {
   transfers_.emplace_back(comm_, fine, coarse, boundaries_);
   transfers_.back().restrict_mobility(fine, coarse);
   homogenise(coarse);
+  transfers_.back().link_levels(fine, coarse);
   return true;
 }
 

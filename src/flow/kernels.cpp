@@ -229,7 +229,7 @@ void residual_line(Level& level, const RowStencil<c>& s, int i, std::ptrdiff_t a
   const float* p = level.p.data() + at;
   const float* f = level.f[c].data() + at;
   const float* inverse = level.inverse_diagonal[c].data() + at;
-  const float* mobility = level.mobility[c].data() + at;
+  const float* carry = level.carry[c].data() + at;
   const float* weight = weighted ? level.weight[c].data() + at : nullptr;
   float* r = level.r[c].data() + at;
 #pragma GCC ivdep
@@ -242,7 +242,7 @@ void residual_line(Level& level, const RowStencil<c>& s, int i, std::ptrdiff_t a
                              s.y_low * u[l - sy] + s.y_high * u[l + sy] + s.z_low * u[l - sz] +
                              s.z_high * u[l + sz];
     const float residual = f[l] - pull + neighbours - u[l] / inverse[l];
-    r[l] = inverse[l] != 0 ? mobility[l] * residual : 0.0F;
+    r[l] = inverse[l] != 0 ? carry[l] * residual : 0.0F;
   }
 }
 

@@ -23,10 +23,8 @@ Level::Level(const par::Communicator& comm, const par::Decomposition& cut,
   for (Floats* field : {&push, &p, &g, &rg}) {
     field->assign(block.size, 0.0F);
   }
-  if (finest) {
-    for (Floats& field : weight) {
-      field.assign(block.size, 0.0F);
-    }
+  for (Floats& field : finest ? weight : inverse_mobility) {
+    field.assign(block.size, 0.0F);
   }
 }
 

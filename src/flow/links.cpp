@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flow/smoother.hpp"
+
 namespace porefines::flow {
 
 namespace {
@@ -193,7 +195,6 @@ Friction link_to_surface(Level& finest, const Boundaries& boundaries, const Sign
       set_face(finest, friction, faces, c, {i, j, k}, link);
     });
   }
-  finish_level(finest);
   return friction;
 }
 
@@ -231,8 +232,65 @@ Friction link_to_voxels(Level& finest, const Boundaries& boundaries, const IsPor
       set_face(finest, friction, faces, c, {i, j, k}, link);
     });
   }
-  finish_level(finest);
   return friction;
+}
+
+namespace {
+
+int open_faces(const Level& level, const Int3& cell) {
+  const std::ptrdiff_t at = level.block.at(cell[0], cell[1], cell[2]);
+  int count = 0;
+  for (int a = 0; a < 3; ++a) {
+    count += level.inverse_diagonal[a][at] != 0 ? 1 : 0;
+    count += level.inverse_diagonal[a][at + level.block.stride(a)] != 0 ? 1 : 0;
+  }
+  return count;
+}
+
+/// Closes the only open face of every owned cell that has just one; returns how many.
+/// A dead end across a rank border is closed by the cell's owner on its side and by the neighbour
+/// through its own copy of the cell, one layer into the ghosts.
+Index close_single_faces(Level& level, Friction& friction) {
+  const grid::Block& b = level.block;
+  Index closed = 0;
+  const auto reach = [&b](int a) { return b.ghost[a] > 1 ? 1 : 0; };
+  for (int k = -reach(2); k < b.n[2] + reach(2); ++k) {
+    for (int j = -reach(1); j < b.n[1] + reach(1); ++j) {
+      for (int i = -reach(0); i < b.n[0] + reach(0); ++i) {
+        if (open_faces(level, {i, j, k}) != 1) {
+          continue;
+        }
+        const std::ptrdiff_t at = b.at(i, j, k);
+        for (int a = 0; a < 3; ++a) {
+          for (const std::ptrdiff_t face : {at, at + b.stride(a)}) {
+            if (level.inverse_diagonal[a][face] != 0) {
+              level.inverse_diagonal[a][face] = 0;
+              friction.excess[a][face] = Friction::inactive;
+              ++closed;
+            }
+          }
+        }
+      }
+    }
+  }
+  return closed;
+}
+
+}  // namespace
+
+Index prune_dead_ends(const par::Communicator& comm, Level& finest, Friction& friction) {
+  const std::array<float*, 3> fields{finest.inverse_diagonal[0].data(),
+                                     finest.inverse_diagonal[1].data(),
+                                     finest.inverse_diagonal[2].data()};
+  Index total = 0;
+  while (true) {
+    finest.halo.exchange(fields, sweep_depth);
+    const Index closed = comm.sum(close_single_faces(finest, friction));
+    if (closed == 0) {
+      return total;
+    }
+    total += closed;
+  }
 }
 
 }  // namespace porefines::flow

@@ -38,4 +38,13 @@ Friction link_to_surface(Level& finest, const Boundaries& boundaries, const Sign
 /// Links on the pixel staircase itself: walls are voxel faces, W = 1.
 Friction link_to_voxels(Level& finest, const Boundaries& boundaries, const IsPore& is_pore);
 
+/// Takes out faces through which nothing can flow: one of their cells has no other open face.
+///
+/// By continuity u = 0 there, so the flow elsewhere is the same without them; what goes is the
+/// pressure of the dead-end cell, a constraint that coarse levels cannot see and that made cycles
+/// diverge where a grain lies flat on a grid plane. Repeated until no dead end is left.
+/// Call before finish_level; collective.
+/// @return  faces taken out, over all ranks
+Index prune_dead_ends(const par::Communicator& comm, Level& finest, Friction& friction);
+
 }  // namespace porefines::flow

@@ -26,6 +26,8 @@ void StokesSolver::set_voxels(const IsPore& is_pore) {
 
 void StokesSolver::finish_setup(Friction friction) {
   friction_ = std::make_unique<Friction>(std::move(friction));
+  prune_dead_ends(comm_, hierarchy_.finest(), *friction_);
+  finish_level(hierarchy_.finest());
   hierarchy_.build();
   operator_ = std::make_unique<Operator>(hierarchy_.finest(), *friction_);
 }

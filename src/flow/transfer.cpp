@@ -22,7 +22,8 @@ struct Sources {
 };
 
 /// Fine indices along an axis whose values make coarse index I.
-Sources restriction_sources(const AxisTransfer& t, int I, bool normal, int fine_cells) {
+/// @param in_plane  only the fine face that lies on the coarse one
+Sources restriction_sources(const AxisTransfer& t, int I, bool normal, int fine_cells, bool in_plane) {
   Sources s;
   if (!normal) {
     s.add(2 * I, t.cell_first[I]);
@@ -30,9 +31,9 @@ Sources restriction_sources(const AxisTransfer& t, int I, bool normal, int fine_
     return s;
   }
   const int middle = std::min(2 * I, fine_cells);  // an odd last block ends at an odd face
-  s.add(middle - 1, t.face_before[I]);
+  s.add(middle - 1, in_plane ? 0.0F : t.face_before[I]);
   s.add(middle, t.face_middle[I]);
-  s.add(middle + 1, t.face_after[I]);
+  s.add(middle + 1, in_plane ? 0.0F : t.face_after[I]);
   return s;
 }
 
@@ -98,15 +99,15 @@ Transfer::Transfer(const par::Communicator& comm, const Level& fine, const Level
 }
 
 void Transfer::restrict_faces(int component, const Floats& fine_field, const Level& fine, Floats& out,
-                              const Level& coarse) const {
+                              const Level& coarse, bool in_plane) const {
   const grid::Block& f = fine.block;
   std::vector<float> buffer(static_cast<std::size_t>(f.n[0]) + 4, 0.0F);
   float* row = buffer.data() + 1;
   const int count = coarse_count(f, 0, component == 0);
   for (int K = 0; K < coarse_count(f, 2, component == 2); ++K) {
-    const Sources planes = restriction_sources(axis_[2], K, component == 2, f.n[2]);
+    const Sources planes = restriction_sources(axis_[2], K, component == 2, f.n[2], in_plane);
     for (int J = 0; J < coarse_count(f, 1, component == 1); ++J) {
-      const Sources rows = restriction_sources(axis_[1], J, component == 1, f.n[1]);
+      const Sources rows = restriction_sources(axis_[1], J, component == 1, f.n[1], in_plane);
       combine(f, fine_field, rows, planes, {0, 0, 0}, -1, f.n[0] + 2, row);
       float* to = out.data() + coarse.block.at(offset_[0], J + offset_[1], K + offset_[2]);
       const AxisTransfer& t = axis_[0];
@@ -118,8 +119,10 @@ void Transfer::restrict_faces(int component, const Floats& fine_field, const Lev
       }
       for (int I = 0; I < count; ++I) {
         const int middle = std::min(2 * I, f.n[0]);
-        to[I] = t.face_before[I] * row[middle - 1] + t.face_middle[I] * row[middle] +
-                t.face_after[I] * row[middle + 1];
+        to[I] = t.face_middle[I] * row[middle];
+        if (!in_plane) {
+          to[I] += t.face_before[I] * row[middle - 1] + t.face_after[I] * row[middle + 1];
+        }
       }
     }
   }
@@ -129,9 +132,9 @@ void Transfer::restrict_cells(const Level& fine, Level& coarse) const {
   const grid::Block& f = fine.block;
   std::vector<float> row(static_cast<std::size_t>(f.n[0]) + 2, 0.0F);
   for (int K = 0; K < coarse_count(f, 2, false); ++K) {
-    const Sources planes = restriction_sources(axis_[2], K, false, f.n[2]);
+    const Sources planes = restriction_sources(axis_[2], K, false, f.n[2], false);
     for (int J = 0; J < coarse_count(f, 1, false); ++J) {
-      const Sources rows = restriction_sources(axis_[1], J, false, f.n[1]);
+      const Sources rows = restriction_sources(axis_[1], J, false, f.n[1], false);
       combine(f, fine.rg, rows, planes, {0, 0, 0}, 0, f.n[0], row.data());
       float* to = coarse.g.data() + coarse.block.at(offset_[0], J + offset_[1], K + offset_[2]);
       for (int I = 0; I < coarse_count(f, 0, false); ++I) {
@@ -142,45 +145,58 @@ void Transfer::restrict_cells(const Level& fine, Level& coarse) const {
 }
 
 void Transfer::restrict_mobility(Level& fine, Level& coarse) const {
-  const grid::Block& c = coarse.block;
   for (int a = 0; a < 3; ++a) {
     for (std::size_t at = 0; at < fine.block.size; ++at) {
       fine.r[a][at] = fine.mobility[a][at] * (fine.weighted() ? fine.weight[a][at] : 1.0F);
     }
-    restrict_faces(a, fine.r[a], fine, coarse.mobility[a], coarse);
-    // Next to a closed box face the weights do not add up to one: make it a mean.
-    const grid::Block& f = fine.block;
-    for (int I = 0; I < coarse_count(f, a, true); ++I) {
-      const AxisTransfer& t = axis_[a];
-      const float sum = t.face_before[I] + t.face_middle[I] + t.face_after[I];
-      Int3 first{0, 0, 0};
-      Int3 last{coarse_count(f, 0, false), coarse_count(f, 1, false), coarse_count(f, 2, false)};
-      first[a] = I;
-      last[a] = I + 1;
-      for (int K = first[2]; K < last[2]; ++K) {
-        for (int J = first[1]; J < last[1]; ++J) {
-          float* m = coarse.mobility[a].data() + c.at(offset_[0], J + offset_[1], K + offset_[2]);
-          for (int i = first[0]; i < last[0]; ++i) {
-            m[i] = sum > 0 ? m[i] / sum : 0.0F;
-          }
-        }
-      }
+    restrict_faces(a, fine.r[a], fine, coarse.mobility[a], coarse, false);
+    // A coarse face is open where one of the fine faces in its plane is: else it would lead into
+    // cells that are all grain.
+    restrict_faces(a, fine.r[a], fine, coarse.f[a], coarse, true);
+    for (std::size_t at = 0; at < coarse.block.size; ++at) {
+      coarse.mobility[a][at] = coarse.f[a][at] > 0 ? coarse.mobility[a][at] : 0.0F;
     }
   }
   gather({coarse.mobility[0].data(), coarse.mobility[1].data(), coarse.mobility[2].data()}, coarse);
 }
 
+void Transfer::link_levels(Level& fine, Level& coarse) const {
+  const grid::Block& f = fine.block;
+  for (int a = 0; a < 3; ++a) {
+    fine.carry[a] = fine.mobility[a];
+    const float* open = coarse.mobility[a].data();
+    const std::ptrdiff_t next = coarse.block.stride(a);
+    for (int k = 0; k < fine_count(f, 2, a == 2); ++k) {
+      for (int j = 0; j < fine_count(f, 1, a == 1); ++j) {
+        for (int i = 0; i < fine_count(f, 0, a == 0); ++i) {
+          const Int3 index{i, j, k};
+          const bool between = axis_[a].coarsened && index[a] % 2 == 1 && index[a] < f.n[a];
+          const std::ptrdiff_t at =
+              coarse.block.at(i / 2 + offset_[0], j / 2 + offset_[1], k / 2 + offset_[2]);
+          if (between && (open[at] == 0) != (open[at + next] == 0)) {
+            fine.carry[a][f.at(i, j, k)] *= 2;
+          }
+        }
+      }
+    }
+    std::transform(coarse.mobility[a].begin(), coarse.mobility[a].end(),
+                   coarse.inverse_mobility[a].begin(), [](float m) { return m > 0 ? 1 / m : 0.0F; });
+  }
+  const std::array<float*, 3> fields{fine.carry[0].data(), fine.carry[1].data(), fine.carry[2].data()};
+  fine.halo.exchange(fields, 1);
+}
+
 void Transfer::restrict_residual(const Level& fine, Level& coarse) const {
   for (int a = 0; a < 3; ++a) {
-    restrict_faces(a, fine.r[a], fine, coarse.f[a], coarse);
+    restrict_faces(a, fine.r[a], fine, coarse.f[a], coarse, false);
   }
   restrict_cells(fine, coarse);
   gather({coarse.f[0].data(), coarse.f[1].data(), coarse.f[2].data(), coarse.g.data()}, coarse);
   for (int a = 0; a < 3; ++a) {
-    const float* m = coarse.mobility[a].data();
+    const float* inverse = coarse.inverse_mobility[a].data();
     float* f = coarse.f[a].data();
     for (std::size_t at = 0; at < coarse.block.size; ++at) {
-      f[at] = m[at] > 0 ? f[at] / m[at] : 0.0F;
+      f[at] *= inverse[at];
     }
   }
 }
@@ -188,11 +204,11 @@ void Transfer::restrict_residual(const Level& fine, Level& coarse) const {
 void Transfer::prolong(Level& coarse, Level& fine) const {
   coarse.exchange_unknowns(1);
   for (int a = 0; a < 3; ++a) {
-    const float* m = coarse.mobility[a].data();
+    const float* inverse = coarse.inverse_mobility[a].data();
     const float* u = coarse.u[a].data();
     float* z = coarse.r[a].data();
     for (std::size_t at = 0; at < coarse.block.size; ++at) {
-      z[at] = m[at] > 0 ? u[at] / m[at] : 0.0F;
+      z[at] = u[at] * inverse[at];
     }
     prolong_faces(a, coarse, fine);
   }
@@ -227,7 +243,7 @@ void Transfer::prolong_faces(int component, const Level& coarse, Level& fine) co
       }
       for_lines(fine, j, k, [&](int i) {
         float* u = fine.u[component].data() + f.at(i, j, k);
-        const float* m = fine.mobility[component].data() + f.at(i, j, k);
+        const float* m = fine.carry[component].data() + f.at(i, j, k);
 #pragma GCC ivdep
         for (int l = 0; l < grid::line_width; ++l) {
           u[l] += m[l] * row[i + l];

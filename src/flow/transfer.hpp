@@ -20,8 +20,13 @@ class Transfer {
   Transfer(const par::Communicator& comm, const Level& fine, const Level& coarse,
            const Boundaries& boundaries);
 
-  /// Coarse mobility: mean of W M over the control volume of every coarse face.
+  /// Coarse mobility: mean of W M over the control volume of every coarse face; 0 where no fine face
+  /// in the plane of the coarse one is open.
   void restrict_mobility(Level& fine, Level& coarse) const;
+
+  /// What the transfers multiply with: carry of the fine level, inverse mobility of the coarse one.
+  /// Call when the coarse mobility stands, ghosts too.
+  void link_levels(Level& fine, Level& coarse) const;
 
   /// Expects find_residual(fine); leaves f and g of the coarse level, ghosts not filled.
   void restrict_residual(const Level& fine, Level& coarse) const;
@@ -35,7 +40,7 @@ class Transfer {
     Int3 last;
   };
   void restrict_faces(int component, const Floats& fine_field, const Level& fine, Floats& out,
-                      const Level& coarse) const;
+                      const Level& coarse, bool in_plane) const;
   void restrict_cells(const Level& fine, Level& coarse) const;
   void prolong_faces(int component, const Level& coarse, Level& fine) const;
   void prolong_cells(const Level& coarse, Level& fine) const;
