@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "geom/neighbours.hpp"
+#include "geom/pore_size.hpp"
 
 namespace porefines::geom {
 
@@ -47,8 +48,14 @@ Basins find_basins(const VoxelSolid& solid, Phase phase, const std::array<bool, 
   std::vector<float> depth = solid.s;
   if (phase == Phase::grain) {
     std::transform(depth.begin(), depth.end(), depth.begin(), std::negate<>());
+  } else {
+    for (Index v = 0; v < product(solid.n); ++v) {  // no ripples along slanted channels
+      float& d = depth[static_cast<std::size_t>(v)];
+      d += d > 0 ? ridge_gain(solid, v) : 0;
+    }
   }
-  const Neighbours around(solid.n, periodic, false);
+  const bool diagonal = phase == Phase::pore || solid.n[2] == 1;
+  const Neighbours around(solid.n, periodic, diagonal);
   Basins out;
   out.label.assign(depth.size(), -1);
   std::vector<std::int32_t> parent;

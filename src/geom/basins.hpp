@@ -15,7 +15,7 @@ namespace porefines::geom {
 /// max(absolute, relative p) above the pass between them.
 struct Merging {
   float relative = 0.15F;
-  float absolute = 0.6F;  ///< [pixels]
+  float absolute = 0.8F;  ///< [pixels]
 };
 
 /// Pores or grains told apart where they are narrowest.
@@ -30,7 +30,8 @@ struct Basins {
 /// Voxels are taken in order of falling distance; one without a labelled neighbour starts a
 /// basin, the others join their deepest neighbour, and two basins that meet merge by the rule
 /// above (persistence of maxima; the aim is that of Gostick, Phys. Rev. E 96 (2017) 023307).
-/// Neighbours: through faces.
+/// Pores: distances are those of the ridge (ridge_gain), else slanted channels fall apart.
+/// Neighbours: all 26 (8) for pores and in 2D, 6 for grains in 3D.
 /// @param solid  window = whole image, band above the largest distance
 [[nodiscard]] Basins find_basins(const VoxelSolid& solid, Phase phase,
                                  const std::array<bool, 3>& periodic, const Merging& merging = {});

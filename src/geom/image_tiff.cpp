@@ -69,7 +69,20 @@ Page describe(TIFF* tiff, const std::string& name) {
                      page.kind == SAMPLEFORMAT_IEEEFP ? "floating-point" : "integer"),
          "Convert the image to 8 or 16 bits per pixel (ImageJ: Image > Type > 8-bit).");
   }
+  constexpr int most_channels = 8;
+  if (page.channels < 1 || page.channels > most_channels) {
+    fail(name, fmt::format("{} channels per pixel", page.channels),
+         "An image has one (grey), three (colour) or four (colour and alpha); is it corrupt?");
+  }
   return page;
+}
+
+/// libtiff takes memory for whole strips or tiles: refuse absurd ones before it tries.
+void require_reasonable_blocks(TIFF* tiff, const std::string& name, const ReadLimits& limits) {
+  const std::uint64_t block = TIFFIsTiled(tiff) != 0 ? TIFFTileSize64(tiff) : TIFFStripSize64(tiff);
+  if (block == 0 || block / 16 > static_cast<std::uint64_t>(limits.max_voxels)) {
+    fail(name, fmt::format("strips or tiles of {} bytes", block), "Is it corrupt?");
+  }
 }
 
 /// Rows of 1, 8 or 16 bits and one channel: read as they are.
@@ -137,6 +150,7 @@ Samples read_pages(TIFF* tiff, const std::string& name, const ReadLimits& limits
                        page.width, page.height, page.bits, first.width, first.height, first.bits),
            "All pages of a 3D image must be alike; previews and thumbnails must be removed.");
     }
+    require_reasonable_blocks(tiff, name, limits);
     if (plain) {
       read_plain(tiff, page, name, out);
     } else {

@@ -43,23 +43,21 @@ void draw_ball(std::vector<float>& to, const Int3& n, const Int3& x, float r, fl
   }
 }
 
-/// How much higher the ridge of s may run between the voxel centres: along one axis a ridge of
-/// unit slopes has the second difference D = -2 when a centre lies on it (gain 0) and -1 when it
-/// runs midway between two centres (gain 1/2); flat profiles (D = 0) gain nothing.
-float ridge_gain(const VoxelSolid& solid, Index v, const Int3& x) {
+}  // namespace
+
+float ridge_gain(const VoxelSolid& solid, Index v) {
   const std::array<Index, 3> stride{1, solid.n[0], Index{solid.n[0]} * solid.n[1]};
   const auto at = [&](Index u) { return solid.s[static_cast<std::size_t>(u)]; };
   float gain = 0;
   for (std::size_t a = 0; a < 3; ++a) {
-    if (x[a] > 0 && x[a] < solid.n[a] - 1) {
+    const Index x = v / stride[a] % solid.n[a];
+    if (x > 0 && x < solid.n[a] - 1) {
       const float d = at(v + stride[a]) + at(v - stride[a]) - 2 * at(v);
       gain = std::max(gain, std::min(-0.5F * d, 1 + 0.5F * d));
     }
   }
   return gain;
 }
-
-}  // namespace
 
 std::vector<float> local_thickness(const VoxelSolid& solid) {
   const Int3 n = solid.n;
@@ -85,7 +83,7 @@ std::vector<float> local_thickness(const VoxelSolid& solid) {
       }
     }
     if (!contained) {
-      draw_ball(thickness, n, x, r, 2 * (r + ridge_gain(solid, v, x)));
+      draw_ball(thickness, n, x, r, 2 * (r + ridge_gain(solid, v)));
     }
   }
   for (std::size_t v = 0; v < thickness.size(); ++v) {

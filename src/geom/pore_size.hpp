@@ -13,6 +13,11 @@ namespace porefines::geom {
 [[nodiscard]] VoxelSolid whole_solid(const VoxelView& image, Real pixel, Surroundings beyond,
                                      Real sigma);
 
+/// How much higher the ridge of s may run between the voxel centres [pixels, 0..1/2]: along one
+/// axis a ridge of unit slopes has the second difference D = -2 when a centre lies on it (gain 0)
+/// and -1 when it runs midway between two centres (gain 1/2); flat profiles (D = 0) gain nothing.
+[[nodiscard]] float ridge_gain(const VoxelSolid& solid, Index v);
+
 /// Pore size at every voxel: diameter of the largest ball inside the pore that holds it,
 ///
 ///     T(x) = 2 max { s(c) : |x - c| < s(c) + 1/2 },
