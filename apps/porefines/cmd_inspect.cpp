@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MPL-2.0
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -13,14 +11,12 @@
 #include <mpi.h>
 
 #include "commands.hpp"
-#include "config/reader.hpp"
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
-#include "core/units.hpp"
 #include "geom/metrics.hpp"
 #include "geom/pore_size.hpp"
 #include "geom/stl.hpp"
-#include "geometry_spec.hpp"
+#include "inspection.hpp"
 #include "io/provenance.hpp"
 #include "report/draw_geometry.hpp"
 #include "report/draw_histogram.hpp"
@@ -29,148 +25,6 @@ namespace porefines {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Arguments {
-  std::string input;
-  std::vector<std::string> overrides;
-  std::string pixel_size;
-  int pore_value = 255;
-  std::string threshold;
-  bool dark_pores = false;
-  std::vector<int> raw_size;
-  std::string depth;
-  std::string fine_diameter;
-  std::string minimum_throat;
-  std::string flow = "x+";
-  std::string stl;
-  std::string output = "inspect";
-};
-
-/// What to look at and what is asked of it.
-struct Inspection {
-  geom::Spec spec;
-  geom::Question question;
-  BoxFace flow_to = BoxFace::x_high;
-  Real simplify = 0.5;  ///< [pixels]
-};
-
-Real length_of(const std::string& text, std::string_view name) {
-  return text.empty() ? 0 : parse_quantity(text, kind::length, name);
-}
-
-BoxFace parse_face(const std::string& text) {
-  if (text.size() != 2 || text[0] < 'x' || text[0] > 'z' || (text[1] != '+' && text[1] != '-')) {
-    throw InputError("--flow " + text + ": one of x+, x-, y+, y-, z+, z- is meant");
-  }
-  return box_face(text[0] - 'x', text[1] == '+');
-}
-
-Inspection from_case(const Arguments& arguments) {
-  const config::Case the_case = config::load_case(arguments.input, arguments.overrides);
-  Inspection out;
-  out.spec = geometry_spec(the_case);
-  out.flow_to = flow_direction(the_case.flow);
-  out.question.fine_diameter = the_case.analysis.fine_diameter;
-  out.question.cell_size = the_case.grid.cell_size;
-  out.simplify = the_case.geometry.simplify;
-  return out;
-}
-
-Inspection from_image(const Arguments& arguments) {
-  Inspection out;
-  out.spec.source = arguments.input;
-  if (arguments.pixel_size.empty()) {
-    throw InputError(arguments.input +
-                     ": the image does not say how large a pixel is; add --pixel-size \"2 um\"");
-  }
-  out.spec.pixel_size = length_of(arguments.pixel_size, "--pixel-size");
-  out.spec.segmentation.pore_value = arguments.pore_value;
-  out.spec.segmentation.pore_is_bright = !arguments.dark_pores;
-  out.spec.segmentation.otsu = arguments.threshold == "otsu";
-  if (!arguments.threshold.empty() && !out.spec.segmentation.otsu) {
-    out.spec.segmentation.threshold =
-        static_cast<int>(parse_quantity(arguments.threshold, kind::number, "--threshold"));
-  }
-  if (arguments.raw_size.size() == 3) {
-    std::copy_n(arguments.raw_size.begin(), 3, out.spec.raw_size.begin());
-  }
-  out.spec.minimum_throat = length_of(arguments.minimum_throat, "--minimum-throat");
-  out.flow_to = parse_face(arguments.flow);
-  out.spec.flow_axis = axis_of(out.flow_to);
-  return out;
-}
-
-Inspection understand(const Arguments& arguments) {
-  Inspection out = fs::path(arguments.input).extension() == ".toml" ? from_case(arguments)
-                                                                    : from_image(arguments);
-  if (!arguments.depth.empty()) {
-    out.spec.depth = length_of(arguments.depth, "--depth");
-  }
-  if (!arguments.fine_diameter.empty()) {
-    out.question.fine_diameter = length_of(arguments.fine_diameter, "--fine-diameter");
-  }
-  out.question.depth = out.spec.depth;
-  out.question.flow_axis = out.spec.flow_axis;
-  return out;
-}
-
-/// Lists of grains become an image with about 200 voxels along the longest edge, or the cells of
-/// the case if those are fewer.
-geom::Voxels rasterise(const geom::Sample& sample, Real cell_size, Real& pixel) {
-  const Vec3 size = sample.box.size;
-  const Real longest = std::max({size.x, size.y, size.z});
-  pixel = std::max(cell_size, longest / 200);
-  const bool flat = sample.spec.kind == geom::Kind::cylinders;
-  Int3 n{};
-  for (int axis = 0; axis < 3; ++axis) {
-    n[static_cast<std::size_t>(axis)] =
-        flat && axis == 2 ? 1 : std::max(static_cast<int>(std::lround(size[axis] / pixel)), 1);
-  }
-  const geom::Solid solid = geom::make_solid(sample, {}, size, pixel);
-  geom::Voxels voxels = geom::make_voxels(n, 0);
-  for (int k = 0; k < n[2]; ++k) {
-    for (int j = 0; j < n[1]; ++j) {
-      for (int i = 0; i < n[0]; ++i) {
-        const Vec3 x = pixel * Vec3{i + 0.5, j + 0.5, k + 0.5};
-        voxels.at(i, j, k) = geom::signed_distance(solid, x) > 0 ? 1 : 0;
-      }
-    }
-  }
-  return voxels;
-}
-
-/// The binary volumes before and after cleaning.
-struct Volumes {
-  geom::SharedVoxels found;
-  geom::SharedVoxels kept;
-  Real pixel = 0;
-  std::string warning;
-};
-
-Volumes build(Inspection& inspection) {
-  geom::Spec raw = inspection.spec;
-  raw.only_percolating = false;
-  raw.remove_grains_below = raw.fill_pores_below = raw.reconnect_gap = 0;
-  raw.minimum_throat = 0;
-  const geom::Sample found = geom::build_sample(raw, MPI_COMM_SELF);
-  Volumes out{found.voxels, found.voxels, found.pixel, ""};
-  if (inspection.spec.kind != geom::Kind::image) {
-    geom::Voxels voxels = rasterise(found, inspection.question.cell_size, out.pixel);
-    out.found = out.kept = geom::share(std::move(voxels), MPI_COMM_SELF);
-    return out;
-  }
-  inspection.question.smooth =
-      inspection.spec.smooth < 0 ? 1 : inspection.spec.smooth / inspection.spec.pixel_size;
-  try {
-    out.kept = geom::build_sample(inspection.spec, MPI_COMM_SELF).voxels;
-  } catch (const InputError& no_path) {
-    out.warning = no_path.what();
-    geom::Spec all = inspection.spec;
-    all.only_percolating = false;
-    out.kept = geom::build_sample(all, MPI_COMM_SELF).voxels;
-  }
-  return out;
-}
 
 void write_surface(const std::string& path, const geom::VoxelSolid& solid, Real depth,
                    Real simplify) {
@@ -241,9 +95,9 @@ void draw(const geom::Metrics& m, const Volumes& volumes, const Inspection& insp
                         provenance, "Throat sizes");
 }
 
-void inspect(const Arguments& arguments) {
+void inspect(const InspectArguments& arguments) {
   Inspection inspection = understand(arguments);
-  const Volumes volumes = build(inspection);
+  const Volumes volumes = build_volumes(inspection);
   const geom::VoxelView image = volumes.kept.view();
   const geom::Metrics m =
       geom::measure(image, volumes.pixel, inspection.spec.beyond, inspection.question);
@@ -274,7 +128,7 @@ void add_inspect(CLI::App& app, int& exit_code) {
       "  porefines inspect chip.png --pixel-size \"1.5 um\" --threshold otsu --depth \"20 um\" "
       "--stl chip.stl\n"
       "  porefines inspect case.toml -o look");
-  auto a = std::make_shared<Arguments>();
+  auto a = std::make_shared<InspectArguments>();
   command->add_option("CASE.toml or IMAGE", a->input, "a case, an image, or a folder of slices")
       ->required();
   command->add_option("key.path=value", a->overrides, "with a case: values that replace its own");

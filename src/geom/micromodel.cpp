@@ -11,179 +11,23 @@
 
 #include "core/error.hpp"
 #include "geom/clean.hpp"
-#include "geom/packing.hpp"
-#include "geom/random.hpp"
+#include "geom/noise.hpp"
+#include "geom/power_cells.hpp"
 #include "geom/throat_opening.hpp"
 
 namespace porefines::geom {
 
 namespace {
 
-constexpr Real removed_share = 0.07;  // cells without a grain: the larger pore bodies
-
-/// Smooth noise in -1..1: values on a hashed lattice, quintic interpolation (Perlin 2002).
-class Noise {
- public:
-  Noise(const MicromodelSpec& spec, Real wavelength, std::uint64_t key)
-      : key_(hash_key(spec.seed, key)) {
-    for (std::size_t a = 0; a < 2; ++a) {
-      cells_[a] = std::max(static_cast<int>(std::lround(spec.pixels[a] / wavelength)), 1);
-      scale_[a] = cells_[a] / static_cast<Real>(spec.pixels[a]);
-    }
-    periodic_ = spec.periodic;
-  }
-
-  [[nodiscard]] Real operator()(Real x, Real y) const {
-    const Real u = x * scale_[0];
-    const Real v = y * scale_[1];
-    const int i = static_cast<int>(std::floor(u));
-    const int j = static_cast<int>(std::floor(v));
-    const Real s = ease(u - i);
-    const Real t = ease(v - j);
-    return (1 - t) * ((1 - s) * at(i, j) + s * at(i + 1, j)) +
-           t * ((1 - s) * at(i, j + 1) + s * at(i + 1, j + 1));
-  }
-
- private:
-  static std::uint64_t hash_key(std::uint64_t seed, std::uint64_t key) {
-    return static_cast<std::uint64_t>(hash_uniform(seed * 31 + key) * 0x1.0p52);
-  }
-  static Real ease(Real t) { return t * t * t * (t * (6 * t - 15) + 10); }
-  [[nodiscard]] Real at(int i, int j) const {
-    if (periodic_) {
-      i = ((i % cells_[0]) + cells_[0]) % cells_[0];
-      j = ((j % cells_[1]) + cells_[1]) % cells_[1];
-    }
-    const auto place = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(i)) << 32) |
-                       static_cast<std::uint32_t>(j);
-    return 2 * hash_uniform(key_ ^ place) - 1;
-  }
-  std::uint64_t key_;
-  std::array<int, 2> cells_{};
-  std::array<Real, 2> scale_{};
-  bool periodic_ = false;
-};
-
-/// Cells of the power diagram, findable by position.
-class Cells {
- public:
-  explicit Cells(const MicromodelSpec& spec) : spec_(spec) {
-    const Real share = 1 - spec.porosity;
-    const Real grain_area = std::numbers::pi / 4 * spec.grain * spec.grain;
-    // one grain takes grain_area / share of the picture; cementing joins about 3 pairs per cell
-    const Real cell_area = grain_area / share * (1 - removed_share) * (1 - 3 * spec.cemented);
-    constexpr Real packed = 0.7;
-    PackSpec pack;
-    pack.dims = 2;
-    margin_ = spec.periodic ? 0 : 3 * std::sqrt(cell_area);
-    pack.size = {spec.pixels[0] + 2 * margin_, spec.pixels[1] + 2 * margin_, 1};
-    pack.porosity = 1 - packed;
-    pack.diameter =
-        std::sqrt(4 / std::numbers::pi * packed * cell_area / (1 + spec.spread * spec.spread));
-    pack.spread = spec.spread;
-    pack.seed = spec.seed;
-    body_ = make_packing(pack);
-    size_ = pack.size;
-    for (std::size_t a = 0; a < 2; ++a) {
-      bins_[a] = std::max(static_cast<int>(size_[static_cast<int>(a)] / std::sqrt(cell_area)), 1);
-    }
-    bin_.resize(static_cast<std::size_t>(bins_[0]) * static_cast<std::size_t>(bins_[1]));
-    for (std::size_t b = 0; b < body_.size(); ++b) {
-      bin_[place(bin_of(body_[b].centre.x, 0), bin_of(body_[b].centre.y, 1))].push_back(
-          static_cast<std::int32_t>(b));
-    }
-    width_ = 0.16 * spec.grain;
-  }
-
-  /// f at a point of the picture [pixels]; negative in cells without a grain.
-  [[nodiscard]] Real border_distance(Real x, Real y) {
-    gather(x + margin_, y + margin_);
-    const auto home = std::min_element(
-        near_.begin(), near_.end(), [](const Near& a, const Near& b) { return a.power < b.power; });
-    if (hash_uniform(key(home->cell, -1)) < removed_share) {
-      return -width_;
-    }
-    Real f = std::numeric_limits<Real>::max();
-    for (const Near& other : near_) {
-      if (other.cell == home->cell) {
-        continue;
-      }
-      const Real apart = norm(Vec3{other.dx - home->dx, other.dy - home->dy, 0});
-      const Real border = (other.power - home->power) / (2 * apart);
-      if (border > f + width_) {
-        continue;
-      }
-      const std::uint64_t pair =
-          key(std::min(other.cell, home->cell), std::max(other.cell, home->cell));
-      if (hash_uniform(pair) >= spec_.cemented) {
-        f = std::min(f, border - width_ * (hash_uniform(pair + 1) - 0.5));
-      }
-    }
-    return std::min(f, spec_.grain);
-  }
-
- private:
-  struct Near {
-    std::int32_t cell;
-    Real dx, dy;  ///< from the point to the centre
-    Real power;   ///< |x - c|^2 - r^2
-  };
-
-  /// The cells in the 5x5 bins around a point.
-  void gather(Real x, Real y) {
-    near_.clear();
-    const int ci = bin_of(x, 0);
-    const int cj = bin_of(y, 1);
-    const int ri = std::min(2, (bins_[0] - 1) / 2);
-    const int rj = std::min(2, (bins_[1] - 1) / 2);
-    for (int j = cj - rj; j <= cj + rj; ++j) {
-      for (int i = ci - ri; i <= ci + ri; ++i) {
-        const int wi = (i + bins_[0]) % bins_[0];
-        const int wj = (j + bins_[1]) % bins_[1];
-        for (const std::int32_t b : bin_[place(wi, wj)]) {
-          const Body& body = body_[static_cast<std::size_t>(b)];
-          Real dx = body.centre.x - x;
-          Real dy = body.centre.y - y;
-          dx -= size_.x * std::round(dx / size_.x);
-          dy -= size_.y * std::round(dy / size_.y);
-          near_.push_back({b, dx, dy, dx * dx + dy * dy - body.radius * body.radius});
-        }
-      }
-    }
-  }
-
-  [[nodiscard]] int bin_of(Real x, int axis) const {
-    const auto a = static_cast<std::size_t>(axis);
-    const int i = static_cast<int>(std::floor(x / size_[axis] * bins_[a]));
-    return ((i % bins_[a]) + bins_[a]) % bins_[a];
-  }
-  [[nodiscard]] std::size_t place(int i, int j) const {
-    return static_cast<std::size_t>(i) +
-           static_cast<std::size_t>(bins_[0]) * static_cast<std::size_t>(j);
-  }
-  [[nodiscard]] std::uint64_t key(std::int32_t a, std::int32_t b) const {
-    return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 33) +
-           (static_cast<std::uint64_t>(static_cast<std::uint32_t>(b)) << 1) +
-           spec_.seed * 0x5851F42DULL;
-  }
-
-  const MicromodelSpec& spec_;
-  Real margin_ = 0;  ///< [pixels] cells reach this far beyond the picture
-  Real width_ = 0;   ///< [pixels] spread of the channel widths
-  Vec3 size_;
-  std::vector<Body> body_;
-  std::array<int, 2> bins_{};
-  std::vector<std::vector<std::int32_t>> bin_;
-  std::vector<Near> near_;
-};
-
 /// f over the picture, blurred to round the corners.
 cv::Mat1f draw_field(const MicromodelSpec& spec) {
-  Cells cells(spec);
+  PowerCells cells(spec);
   const Real wide = 0.8 * spec.grain;
   const Real fine = 0.3 * spec.grain;
-  const std::array<Noise, 4> noise{Noise(spec, wide, 1), Noise(spec, wide, 2), Noise(spec, fine, 3),
-                                   Noise(spec, fine, 4)};
+  const auto make = [&](Real wavelength, std::uint64_t number) {
+    return Noise(spec.pixels, spec.periodic, wavelength, 31 * spec.seed + number);
+  };
+  const std::array<Noise, 4> noise{make(wide, 1), make(wide, 2), make(fine, 3), make(fine, 4)};
   const Real strong = 0.28 * spec.roughness * spec.grain;
   const Real weak = 0.07 * spec.roughness * spec.grain;
   cv::Mat1f f(spec.pixels[1], spec.pixels[0]);
