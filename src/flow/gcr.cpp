@@ -9,6 +9,7 @@ namespace porefines::flow {
 namespace {
 
 constexpr int lanes = grid::line_width;
+constexpr Real little_gain = 0.7;  ///< a cycle that leaves more than this of the residual
 
 /// Sum of products with one accumulator per lane: vectorised, and the same on every run.
 class Accumulator {
@@ -98,13 +99,15 @@ SolveReport solve_gcr(const par::Communicator& comm, Hierarchy& hierarchy, Opera
   const Real reference = options.reference > 0 ? options.reference : size;
   SolveReport report;
   std::deque<Direction> kept;
-  bool exact = true;  // r is b - K x to double precision
+  bool exact = true;    // r is b - K x to double precision
+  bool stalled = false;  // the last step gained little
   while (true) {
     report.residual = reference > 0 ? size / reference : 0;
     if (report.residual <= options.tolerance && !exact) {
       k.residual(b, x, r);
       size = norm(comm, r);
       exact = true;
+      stalled = false;
       kept.clear();
       continue;
     }
@@ -121,7 +124,11 @@ SolveReport solve_gcr(const par::Communicator& comm, Hierarchy& hierarchy, Opera
     }
     newest.z.resize(k.size());
     newest.q.resize(k.size());
-    k.load_right_hand_side(r, 1 / size);
+    if (stalled) {
+      k.load_right_hand_side(kept.back().q, 1 / std::sqrt(kept.back().norm_squared));
+    } else {
+      k.load_right_hand_side(r, 1 / size);
+    }
     cycle(hierarchy);
     k.store_unknowns(newest.z);
     k.apply(newest.q);
@@ -133,7 +140,9 @@ SolveReport solve_gcr(const par::Communicator& comm, Hierarchy& hierarchy, Opera
       newest.norm_squared -= dots[2 + s] * dots[2 + s] / kept[s].norm_squared;
     }
     const Real alpha = dots[1] / newest.norm_squared;
+    const Real before = size;
     size = std::sqrt(comm.sum(step(newest, kept, beta, alpha, x, r)));
+    stalled = size > little_gain * before;
     exact = false;
     kept.push_back(std::move(newest));
     ++report.cycles;

@@ -29,6 +29,9 @@ struct SolveReport {
 ///     z = cycle(r);  q = K z;  orthogonalise q (and z) against the previous ones;
 ///     alpha = (r, q)/(q, q);  x += alpha z;  r -= alpha q
 ///
+/// The Stokes operator is indefinite, so (r, q) may vanish and the step with it (GCR breaks down).
+/// After a step that gained little, the cycle is applied to the last q instead of r, as in
+/// Orthodir: the search space grows all the same.
 /// x and r are double; directions are float. Since rounding of q lets r drift from b - K x by
 /// about 1e-7, the true residual is recomputed before convergence is claimed and, where needed,
 /// the iteration goes on from it: any tolerance down to 1e-12 can be asked for.

@@ -33,6 +33,26 @@ struct RowStencil {
   }
 };
 
+/// Lanes of one colour: even ones, odd ones.
+struct Lanes {
+  alignas(64) std::array<std::array<float, width>, 2> of{};
+  constexpr Lanes() {
+    for (int l = 0; l < width; ++l) {
+      of[l & 1][l] = 1.0F;
+    }
+  }
+};
+constexpr Lanes lanes;
+
+/// u = relaxed on the lanes of one colour. Apart from the stencil, so that both loops vectorise.
+inline void keep_colour(float* __restrict u, const float* __restrict relaxed, int parity) {
+  const float* chosen = lanes.of[parity].data();
+#pragma omp simd
+  for (int l = 0; l < width; ++l) {
+    u[l] = chosen[l] != 0 ? relaxed[l] : u[l];
+  }
+}
+
 /// Which lanes of a line starting at local x index i belong to the colour: (lane & 1) == parity.
 int lane_parity(const grid::Block& b, int i, int j, int k, int colour) {
   return (i + j + k + b.parity() + colour) & 1;
@@ -51,7 +71,8 @@ void relax_line(Level& level, const RowStencil<c>& s, int i, std::ptrdiff_t at, 
   const float* x_low = s.x_low + i;
   const float* x_high = s.x_high + i;
   const float* x_gradient = s.x_gradient + i;
-#pragma GCC ivdep
+  alignas(64) std::array<float, width> relaxed;
+#pragma omp simd
   for (int l = 0; l < width; ++l) {
     float pull = (p[l] - p[l - sc]) * (c == 0 ? x_gradient[l] : s.gradient);
     if constexpr (weighted) {
@@ -59,9 +80,9 @@ void relax_line(Level& level, const RowStencil<c>& s, int i, std::ptrdiff_t at, 
     }
     const float neighbours = x_low[l] * u[l - 1] + x_high[l] * u[l + 1] + s.y_low * u[l - sy] +
                              s.y_high * u[l + sy] + s.z_low * u[l - sz] + s.z_high * u[l + sz];
-    const float relaxed = inverse[l] * (f[l] - pull + neighbours);
-    u[l] = (l & 1) == parity ? relaxed : u[l];
+    relaxed[l] = inverse[l] * (f[l] - pull + neighbours);
   }
+  keep_colour(u, relaxed.data(), parity);
 }
 
 template <bool weighted>
@@ -92,15 +113,15 @@ void relax_component_rows(Level& level, int k, RowRange rows, int colour, float 
       float* u = level.u[c].data() + at;
       const float* f = level.f[c].data() + at;
       const float* inverse = level.inverse_diagonal[c].data() + at;
-#pragma GCC ivdep
+      alignas(64) std::array<float, width> moved;
+#pragma omp simd
       for (int l = 0; l < width; ++l) {
         const float neighbours = s.x_low[i + l] * u[l - 1] + s.x_high[i + l] * u[l + 1] +
                                  s.y_low * u[l - sy] + s.y_high * u[l + sy] + s.z_low * u[l - sz] +
                                  s.z_high * u[l + sz];
-        const float relaxed = inverse[l] * (f[l] + neighbours);
-        const float moved = inverse[l] != 0 ? u[l] + omega * (relaxed - u[l]) : 0.0F;
-        u[l] = (l & 1) == parity ? moved : u[l];
+        moved[l] = u[l] + omega * (inverse[l] * (f[l] + neighbours) - u[l]);
       }
+      keep_colour(u, moved.data(), parity);
     });
   }
 }
@@ -149,13 +170,14 @@ void push_line_cells(Level& level, const PushStencil& s, int i, std::ptrdiff_t a
   const float* push = level.push.data() + at;
   float* p = level.p.data() + at;
   const float* div_x = s.div_x + i;
-#pragma GCC ivdep
+  const float* chosen = lanes.of[parity].data();
+#pragma omp simd
   for (int l = 0; l < width; ++l) {
     const float divergence =
         (flux<weighted>(u, wu, l + 1) - flux<weighted>(u, wu, l)) * div_x[l] +
         (flux<weighted>(v, wv, l + sy) - flux<weighted>(v, wv, l)) * s.div_y +
         (flux<weighted>(w, ww, l + sz) - flux<weighted>(w, ww, l)) * s.div_z;
-    const float q = (l & 1) == parity ? push[l] * (g[l] - divergence) : 0.0F;
+    const float q = chosen[l] * push[l] * (g[l] - divergence);
     p[l] += omega * q;
     moved[l] = q;
   }
@@ -164,7 +186,7 @@ void push_line_cells(Level& level, const PushStencil& s, int i, std::ptrdiff_t a
 /// u -= sign (W/d) grad q on one line of faces.
 template <bool weighted>
 inline void push_faces(float* u, const float* inverse, const float* weight, const float* q, float step) {
-#pragma GCC ivdep
+#pragma omp simd
   for (int l = 0; l < width; ++l) {
     const float mobility = weighted ? inverse[l] * weight[l] : inverse[l];
     u[l] -= mobility * step * q[l];
@@ -183,7 +205,7 @@ void push_line_faces(Level& level, const PushStencil& s, int i, std::ptrdiff_t a
   const float* grad_x = s.grad_x + i;
   const float* inverse_u = inverse[0].data() + at;
   const float* weight_u = weight(0, at);
-#pragma GCC ivdep
+#pragma omp simd
   for (int l = 0; l < width; ++l) {
     const float mobility = weighted ? inverse_u[l] * weight_u[l] : inverse_u[l];
     u[l] -= mobility * grad_x[l] * (q[l] - q[l - 1]);
@@ -232,7 +254,7 @@ void residual_line(Level& level, const RowStencil<c>& s, int i, std::ptrdiff_t a
   const float* carry = level.carry[c].data() + at;
   const float* weight = weighted ? level.weight[c].data() + at : nullptr;
   float* r = level.r[c].data() + at;
-#pragma GCC ivdep
+#pragma omp simd
   for (int l = 0; l < width; ++l) {
     float pull = (p[l] - p[l - sc]) * (c == 0 ? s.x_gradient[i + l] : s.gradient);
     if constexpr (weighted) {
@@ -268,7 +290,7 @@ void residual_rows(Level& level, int k, RowRange rows) {
       const float* g = level.g.data() + at;
       const float* push = level.push.data() + at;
       float* rg = level.rg.data() + at;
-#pragma GCC ivdep
+#pragma omp simd
       for (int l = 0; l < width; ++l) {
         const float divergence =
             (flux<weighted>(u, wu, l + 1) - flux<weighted>(u, wu, l)) * s.div_x[i + l] +

@@ -56,7 +56,7 @@ void find_active_lines(Level& level) {
         const int i = -b.ghost[0] + line * grid::line_width;
         const std::ptrdiff_t at = b.at(i, j, k);
         if (any(level.inverse_diagonal[0], at) || any(level.inverse_diagonal[1], at) ||
-            any(level.inverse_diagonal[2], at)) {
+            any(level.inverse_diagonal[2], at) || any(level.push, at)) {
           level.lines.x.push_back(i);
         }
       }
@@ -93,8 +93,8 @@ void find_push(Level& level) {
 }  // namespace
 
 void finish_level(Level& level) {
-  find_active_lines(level);
   find_push(level);
+  find_active_lines(level);  // a cell may be open to its high sides only: lines with cells count too
 }
 
 }  // namespace porefines::flow

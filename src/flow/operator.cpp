@@ -34,7 +34,7 @@ void momentum_line(const Level& level, const Friction& friction, int i, int j, i
   const float* owned_x = (c == 0 ? ax.owned_face : ax.owned_cell).data() + ii;
   const float owned_row = (c == 1 ? ay.owned_face : ay.owned_cell)[jj] *
                           (c == 2 ? az.owned_face : az.owned_cell)[kk];
-#pragma GCC ivdep
+#pragma omp simd
   for (int l = 0; l < width; ++l) {
     const double here = u[l];
     const double friction_here = static_cast<double>(x_low[l]) * (here - u[l - 1]) +
@@ -70,7 +70,7 @@ void continuity_line(const Level& level, int i, int j, int k, T* out) {
   const auto flux = [](const float* weight, const float* field, std::ptrdiff_t l) {
     return static_cast<double>(weight[l]) * field[l];
   };
-#pragma GCC ivdep
+#pragma omp simd
   for (int l = 0; l < width; ++l) {
     const double divergence = (flux(wu, u, l + 1) - flux(wu, u, l)) * div_x[l] +
                               (flux(wv, v, l + sy) - flux(wv, v, l)) * div_y +
@@ -154,19 +154,23 @@ std::array<Floats*, 4> unknowns(Level& level) {
 
 }  // namespace
 
-void Operator::load_right_hand_side(const Packed<double>& v, double scale) {
+template <typename T>
+void Operator::load_right_hand_side(const Packed<T>& v, double scale) {
   const auto fields = right_hand_side(level_);
   for (std::size_t line = 0; line < lines_.size(); ++line) {
     const auto [i, j, k] = lines_[line];
     const std::ptrdiff_t to = level_.block.at(i, j, k);
     for (int c = 0; c < 4; ++c) {
-      const double* from = v.data() + line * packed_width + c * width;
+      const T* from = v.data() + line * packed_width + c * width;
       for (int l = 0; l < width; ++l) {
         (*fields[c])[to + l] = static_cast<float>(scale * from[l]);
       }
     }
   }
 }
+
+template void Operator::load_right_hand_side<float>(const Packed<float>&, double);
+template void Operator::load_right_hand_side<double>(const Packed<double>&, double);
 
 template <typename T>
 void Operator::load_unknowns(const Packed<T>& v) {

@@ -33,7 +33,8 @@ class Operator {
   void residual(const Packed<double>& b, const Packed<double>& x, Packed<double>& r);
 
   /// Right-hand side of the level = scale * v; zero elsewhere.
-  void load_right_hand_side(const Packed<double>& v, double scale);
+  template <typename T>
+  void load_right_hand_side(const Packed<T>& v, double scale);
   /// The level's u and p = the packed values; zero elsewhere.
   template <typename T>
   void load_unknowns(const Packed<T>& v);
