@@ -67,7 +67,7 @@ void combine(const grid::Block& b, const Floats& field, const Sources& rows, con
       const float w = rows.weight[jj] * planes.weight[kk];
       const float* from = field.data() + b.at(offset[0], rows.index[jj] + offset[1],
                                               planes.index[kk] + offset[2]);
-#pragma GCC ivdep
+#pragma omp simd
       for (int i = first; i < last; ++i) {
         row[i] += w * from[i];
       }
@@ -244,7 +244,7 @@ void Transfer::prolong_faces(int component, const Level& coarse, Level& fine) co
       for_lines(fine, j, k, [&](int i) {
         float* u = fine.u[component].data() + f.at(i, j, k);
         const float* m = fine.carry[component].data() + f.at(i, j, k);
-#pragma GCC ivdep
+#pragma omp simd
         for (int l = 0; l < grid::line_width; ++l) {
           u[l] += m[l] * row[i + l];
         }
@@ -267,7 +267,7 @@ void Transfer::prolong_cells(const Level& coarse, Level& fine) const {
       for_lines(fine, j, k, [&](int i) {
         float* p = fine.p.data() + f.at(i, j, k);
         const float* push = fine.push.data() + f.at(i, j, k);
-#pragma GCC ivdep
+#pragma omp simd
         for (int l = 0; l < grid::line_width; ++l) {
           p[l] += push[l] != 0 ? row[i + l] : 0.0F;
         }
