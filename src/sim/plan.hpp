@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "config/case.hpp"
+#include "par/communicator.hpp"
+#include "sim/domain.hpp"
+#include "sim/probe.hpp"
+
+namespace porefines::sim {
+
+/// What a run will cost and what to expect of it, before it is run.
+struct Plan {
+  Real memory = 0;        ///< [bytes] peak of all ranks together
+  Real seconds = 0;       ///< wall time, about; 0: not estimated
+  Real permeability = 0;  ///< [m^2] Kozeny's guess
+  Real velocity = 0;      ///< [m/s] Darcy velocity that follows
+  Real reynolds = 0;      ///< of that velocity in the pores
+  Index cells = 0;
+  Index active_cells = 0;  ///< in lines of 16 that hold any fluid
+};
+
+/// Peak memory of all ranks together [bytes].
+///
+///     ranks base + dense cells + packed active cells + voxel image voxels
+///
+/// `dense` counts the fields of all multigrid levels, `packed` the Krylov vectors, which leave out
+/// lines of solid. Constants are measured (docs/performance of this machine): within 15 % for 64^3
+/// to 200^3 cells, open boxes, rock and chips. Test: cli/plan.
+[[nodiscard]] Real estimate_memory(const geom::Sample& sample, const Domain& domain,
+                                   const Probe& probe, int ranks);
+
+/// The whole plan. Permeability by Kozeny, k = porosity^3 / (5 S^2): a guess within a factor of 3.
+[[nodiscard]] Plan make_plan(const config::Case& the_case, const geom::Sample& sample,
+                             const Domain& domain, const Probe& probe, int ranks);
+
+/// Wall time of the solve [s]: active cells x cycles at the rate of this machine, which a short
+/// sweep over memory on all ranks at once finds out. Collective, a tenth of a second.
+[[nodiscard]] Real estimate_seconds(const config::Case& the_case, const Plan& plan,
+                                    const par::Communicator& comm);
+
+/// Refuses what this machine cannot hold, and says which size it can. Collective.
+/// @throws InputError  on every rank
+void require_memory(const config::Case& the_case, const Plan& plan, const Domain& domain,
+                    const par::Communicator& comm);
+
+/// The plan in lines for a person.
+[[nodiscard]] std::vector<std::string> describe(const config::Case& the_case,
+                                                const geom::Sample& sample, const Domain& domain,
+                                                const Probe& probe, const Plan& plan);
+
+}  // namespace porefines::sim

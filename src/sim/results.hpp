@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "config/case.hpp"
+#include "core/json.hpp"
+#include "flow/stokes.hpp"
+#include "geom/build.hpp"
+#include "io/provenance.hpp"
+#include "par/communicator.hpp"
+#include "sim/domain.hpp"
+#include "sim/grains.hpp"
+#include "sim/steady_flow.hpp"
+
+namespace porefines::sim {
+
+/// What else the summary tells about a run.
+struct RunFacts {
+  Porosity porosity;
+  Index fluid_cells = 0;
+  Real wall_time = 0;    ///< [s]
+  Real peak_memory = 0;  ///< [bytes] all ranks together
+  io::Provenance provenance;
+};
+
+/// summary.json: flat, SI, the keys of docs/summary.md; drag only where it has a meaning: round
+/// grains in a box with nothing but periodic and slip faces.
+[[nodiscard]] Json summarise(const config::Case& the_case, const geom::Sample& sample,
+                             const Domain& domain, const SteadyFlow& flow, const RunFacts& facts);
+
+/// Reynolds number of the flow in the pores,
+///
+///     Re = rho (U / porosity) d / mu,   d = sqrt(32 k / porosity)
+[[nodiscard]] Real reynolds(const config::Case& the_case, const SteadyFlow& flow, Real porosity,
+                            const Domain& domain);
+
+/// fields.xdmf: velocity [m/s], pressure [Pa], solid_fraction; x = 0 where the sample begins.
+/// Collective.
+void write_fields(const std::string& folder, const Domain& domain,
+                  const flow::StokesSolver::CellFields& fields, std::span<const float> solid,
+                  const grid::Block& block, const io::Provenance& provenance,
+                  const par::Communicator& comm);
+
+}  // namespace porefines::sim
