@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <span>
-#include <cstdlib>
 
 #include "flow/smoother.hpp"
 
@@ -11,8 +10,8 @@ namespace porefines::flow {
 
 namespace {
 
-const int sweeps_per_side = getenv("NU")?atoi(getenv("NU")):2;
-const int coarsest_sweeps = getenv("CS")?atoi(getenv("CS")):20;
+constexpr int sweeps_per_side = 2;
+constexpr int coarsest_sweeps = 20;
 
 std::array<std::vector<Real>, 3> fine_widths(const Int3& cells, const Vec3& spacing) {
   std::array<std::vector<Real>, 3> w;
@@ -98,6 +97,23 @@ void homogenise(Level& level) {
   finish_level(level);
 }
 
+/// Sum of a component over the faces that this rank owns.
+Real owned_sum(const Level& level, int component) {
+  const grid::Block& b = level.block;
+  Real sum = 0;
+  for (int k = 0; k < b.n[2]; ++k) {
+    for (int j = 0; j < b.n[1]; ++j) {
+      const float* row = level.u[component].data() + b.at(0, j, k);
+      float row_sum = 0;
+      for (int i = 0; i < b.n[0]; ++i) {
+        row_sum += row[i];
+      }
+      sum += row_sum;
+    }
+  }
+  return sum;
+}
+
 }  // namespace
 
 Hierarchy::Hierarchy(const par::Communicator& comm, const par::Decomposition& cut, const Vec3& spacing,
@@ -113,14 +129,27 @@ void Hierarchy::build() {
   }
 }
 
+/// A M = W per component, by batches of over-relaxed sweeps until a batch changes the mean by little.
+/// Wide pores need more sweeps and more over-relaxation, so both grow as long as M does.
 void Hierarchy::solve_mobility() {
+  constexpr int batch = 8;
+  constexpr int most_batches = 24;
+  constexpr Real little = 0.01;
   Level& fine = finest();
-  const float omega = atof(getenv("OM"));
-  mobility_sweeps_ = atoi(getenv("MS"));
+  mobility_sweeps_ = 0;
   for (int c = 0; c < 3; ++c) {
     fine.f[c] = fine.weight[c];
     std::fill(fine.u[c].begin(), fine.u[c].end(), 0.0F);
-    relax_mobility(fine, c, mobility_sweeps_, omega);
+    Real before = 0;
+    for (int b = 0; b < most_batches; ++b) {
+      relax_mobility(fine, c, batch, std::min(1.5F + 0.1F * static_cast<float>(b), 1.9F));
+      mobility_sweeps_ += batch;
+      const Real total = comm_.sum(owned_sum(fine, c));
+      if (total - before < little * total) {
+        break;
+      }
+      before = total;
+    }
     // Over-relaxation may leave a face below what it would have all alone.
     for (std::size_t at = 0; at < fine.block.size; ++at) {
       const float alone = fine.weight[c][at] * fine.inverse_diagonal[c][at];
@@ -134,7 +163,7 @@ void Hierarchy::solve_mobility() {
 
 bool Hierarchy::add_coarse_level() {
   Level& fine = levels_.back();
-  if (product(fine.block.global) == 1 || (int)levels_.size()>=(getenv("NL")?atoi(getenv("NL")):20)) {
+  if (product(fine.block.global) == 1) {
     return false;
   }
   const par::Decomposition coarse_cut = fine.decomposition.coarsened();

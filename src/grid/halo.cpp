@@ -99,21 +99,34 @@ void Halo::exchange(std::span<float* const> fields, int depth) {
 
 void Halo::wrap_axis(std::span<float* const> fields, int axis, int depth) {
   const int n = block_.n[axis];
-  const auto copy_layer = [&](float* field, int to, int from) {
-    const Region r = layers(block_, axis, to, to + 1, depth);
-    const std::ptrdiff_t shift = (from - to) * block_.stride(axis);
-    const int width = r.last[0] - r.first[0];
-    for_rows(r, [&](int j, int k) {
-      float* row = field + block_.at(r.first[0], j, k);
-      std::memcpy(row, row + shift, sizeof(float) * width);
-    });
-  };
+  const std::ptrdiff_t step = block_.stride(axis);
+  const auto source = [n](int layer) { return ((layer % n) + n) % n; };
   for (float* field : fields) {
-    for (int layer = 1; layer <= depth; ++layer) {
-      copy_layer(field, -layer, ((-layer) % n + n) % n);
+    if (axis == 0) {  // a few values per row: one pass over the rows
+      for_rows(layers(block_, axis, 0, 1, depth), [&](int j, int k) {
+        float* row = field + block_.at(0, j, k);
+        for (int layer = 1; layer <= depth; ++layer) {
+          row[-layer] = row[source(-layer)];
+        }
+        for (int layer = n; layer <= n + depth; ++layer) {
+          row[layer] = row[source(layer)];
+        }
+      });
+      continue;
     }
-    for (int layer = 0; layer <= depth; ++layer) {
-      copy_layer(field, n + layer, layer % n);
+    const auto copy_layer = [&](int to) {
+      const Region r = layers(block_, axis, to, to + 1, depth);
+      const int width = r.last[0] - r.first[0];
+      for_rows(r, [&](int j, int k) {
+        float* row = field + block_.at(r.first[0], j, k);
+        std::memcpy(row, row + (source(to) - to) * step, sizeof(float) * width);
+      });
+    };
+    for (int layer = 1; layer <= depth; ++layer) {
+      copy_layer(-layer);
+    }
+    for (int layer = n; layer <= n + depth; ++layer) {
+      copy_layer(layer);
     }
   }
 }
