@@ -41,6 +41,80 @@ std::vector<std::int32_t> deepest_first(const std::vector<float>& depth) {
   return order;
 }
 
+/// Basins while they grow and merge.
+struct Growing {
+  std::vector<std::int32_t> label;
+  std::vector<std::int32_t> parent;
+  std::vector<float> peak;
+
+  /// Two basins meet at height h.
+  void meet(std::int32_t a, std::int32_t b, float h, const Merging& merging) {
+    std::int32_t high = find_root(parent, a);
+    std::int32_t low = find_root(parent, b);
+    if (high == low) {
+      return;
+    }
+    if (peak[static_cast<std::size_t>(high)] < peak[static_cast<std::size_t>(low)]) {
+      std::swap(high, low);
+    }
+    const float p = peak[static_cast<std::size_t>(low)];
+    if (p - h < std::max(merging.absolute, merging.relative * p)) {
+      parent[static_cast<std::size_t>(low)] = high;
+    }
+  }
+
+  /// Label one voxel, the deepest that has none.
+  void add(std::int32_t v, const std::vector<float>& depth, const Neighbours& around,
+           const Merging& merging) {
+    std::int32_t home = -1;
+    std::int32_t last = -1;  // mostly one basin: look it up once
+    float best = -1;
+    std::array<std::int32_t, 26> met{};
+    std::size_t count = 0;
+    around.visit(v, [&](Index u) {
+      const std::int32_t there = label[static_cast<std::size_t>(u)];
+      if (there >= 0 && there != last) {
+        last = met[count++] = there;
+      }
+      if (there >= 0 && depth[static_cast<std::size_t>(u)] > best) {
+        best = depth[static_cast<std::size_t>(u)];
+        home = there;
+      }
+    });
+    const float h = depth[static_cast<std::size_t>(v)];
+    if (home < 0) {
+      home = static_cast<std::int32_t>(parent.size());
+      parent.push_back(home);
+      peak.push_back(h);
+    }
+    for (std::size_t m = 0; m < count; ++m) {
+      meet(home, met[m], h, merging);
+    }
+    label[static_cast<std::size_t>(v)] = find_root(parent, home);
+  }
+};
+
+/// Number the basins that are left.
+Basins finish(Growing growing) {
+  Basins out;
+  std::vector<std::int32_t> number(growing.parent.size(), -1);
+  for (std::int32_t& label : growing.label) {
+    if (label < 0) {
+      continue;
+    }
+    const auto root = static_cast<std::size_t>(find_root(growing.parent, label));
+    if (number[root] < 0) {
+      number[root] = static_cast<std::int32_t>(out.voxels.size());
+      out.voxels.push_back(0);
+      out.peak.push_back(growing.peak[root]);
+    }
+    label = number[root];
+    ++out.voxels[static_cast<std::size_t>(label)];
+  }
+  out.label = std::move(growing.label);
+  return out;
+}
+
 }  // namespace
 
 Basins find_basins(const VoxelSolid& solid, Phase phase, const std::array<bool, 3>& periodic,
@@ -56,71 +130,12 @@ Basins find_basins(const VoxelSolid& solid, Phase phase, const std::array<bool, 
   }
   const bool diagonal = phase == Phase::pore || solid.n[2] == 1;
   const Neighbours around(solid.n, periodic, diagonal);
-  Basins out;
-  out.label.assign(depth.size(), -1);
-  std::vector<std::int32_t> parent;
-  std::vector<float> peak;
+  Growing growing;
+  growing.label.assign(depth.size(), -1);
   for (const std::int32_t v : deepest_first(depth)) {
-    const float h = depth[static_cast<std::size_t>(v)];
-    std::int32_t home = -1;
-    float best = -1;
-    std::array<std::int32_t, 26> met{};
-    std::size_t count = 0;
-    std::int32_t last = -1;
-    std::int32_t last_root = -1;
-    around.visit(v, [&](Index u) {
-      const std::int32_t label = out.label[static_cast<std::size_t>(u)];
-      if (label < 0) {
-        return;
-      }
-      const std::int32_t root =
-          label == last ? last_root : find_root(parent, label);  // mostly one basin
-      if (label != last) {
-        last = label;
-        last_root = root;
-        met[count++] = root;
-      }
-      if (depth[static_cast<std::size_t>(u)] > best) {
-        best = depth[static_cast<std::size_t>(u)];
-        home = root;
-      }
-    });
-    if (home < 0) {
-      home = static_cast<std::int32_t>(parent.size());
-      parent.push_back(home);
-      peak.push_back(h);
-    }
-    for (std::size_t m = 0; m < count; ++m) {
-      std::int32_t high = find_root(parent, home);
-      std::int32_t low = find_root(parent, met[m]);
-      if (high == low) {
-        continue;
-      }
-      if (peak[static_cast<std::size_t>(high)] < peak[static_cast<std::size_t>(low)]) {
-        std::swap(high, low);
-      }
-      const float p = peak[static_cast<std::size_t>(low)];
-      if (p - h < std::max(merging.absolute, merging.relative * p)) {
-        parent[static_cast<std::size_t>(low)] = high;
-      }
-    }
-    out.label[static_cast<std::size_t>(v)] = home;
+    growing.add(v, depth, around, merging);
   }
-  std::vector<std::int32_t> number(parent.size(), -1);
-  for (std::int32_t& label : out.label) {
-    if (label < 0) {
-      continue;
-    }
-    const auto root = static_cast<std::size_t>(find_root(parent, label));
-    if (number[root] < 0) {
-      number[root] = static_cast<std::int32_t>(out.voxels.size());
-      out.voxels.push_back(0);
-      out.peak.push_back(peak[root]);
-    }
-    label = number[root];
-    ++out.voxels[static_cast<std::size_t>(label)];
-  }
-  return out;
+  return finish(std::move(growing));
 }
 
 }  // namespace porefines::geom

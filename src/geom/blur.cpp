@@ -7,7 +7,8 @@ namespace porefines::geom {
 
 std::vector<int> gaussian_weights(Real sigma) {
   const int r = static_cast<int>(std::ceil(4 * sigma));
-  std::vector<Real> exact(2 * static_cast<std::size_t>(r) + 1);
+  const int width = 2 * r + 1;
+  std::vector<Real> exact(static_cast<std::size_t>(width));
   for (int k = -r; k <= r; ++k) {
     exact[static_cast<std::size_t>(k + r)] = std::exp(-0.5 * (k / sigma) * (k / sigma));
   }

@@ -119,6 +119,26 @@ void join_rows(const Components& c, std::size_t a, std::size_t b, int crossing, 
   }
 }
 
+/// Row next to (j, k) in the direction (dj, dk), through periodic faces; false when there is none.
+bool next_row(const Int3& n, const Rules& rules, std::array<int, 2> from, std::array<int, 2> way,
+              std::size_t& row, int& crossing) {
+  std::array<int, 2> to{from[0] + way[0], from[1] + way[1]};
+  crossing = 0;
+  for (std::size_t t = 0; t < 2; ++t) {
+    const int size = n[t + 1];
+    if (to[t] >= 0 && to[t] < size) {
+      continue;
+    }
+    if (!rules.periodic[t + 1] || (t == 1 && size == 1)) {
+      return false;
+    }
+    crossing += rules.axis == static_cast<int>(t) + 1 ? way[t] : 0;
+    to[t] = (to[t] + size) % size;
+  }
+  row = static_cast<std::size_t>(to[0]) + static_cast<std::size_t>(n[1]) * to[1];
+  return true;
+}
+
 void join_all(const Components& c, const Int3& n, const Rules& rules, Sets& sets) {
   // the neighbour rows on one side: (dj, dk)
   std::vector<std::array<int, 2>> ways{{1, 0}, {0, 1}};
@@ -126,35 +146,20 @@ void join_all(const Components& c, const Int3& n, const Rules& rules, Sets& sets
     ways.push_back({1, 1});
     ways.push_back({-1, 1});
   }
-  for (int k = 0; k < n[2]; ++k) {
-    for (int j = 0; j < n[1]; ++j) {
-      const std::size_t a = static_cast<std::size_t>(j) + static_cast<std::size_t>(n[1]) * k;
-      const std::size_t first = c.row[a];
-      const std::size_t past = c.row[a + 1];
-      if (rules.periodic[0] && first < past && c.run[first].first == 0 &&
-          c.run[past - 1].past == n[0]) {
-        sets.join(static_cast<std::int32_t>(past - 1), static_cast<std::int32_t>(first),
-                  rules.axis == 0 ? 1 : 0);
-      }
-      for (const auto& [dj, dk] : ways) {
-        int y = j + dj;
-        int z = k + dk;
-        int crossing = 0;
-        if (y < 0 || y >= n[1]) {
-          if (!rules.periodic[1]) {
-            continue;
-          }
-          crossing += rules.axis == 1 ? dj : 0;
-          y = (y + n[1]) % n[1];
-        }
-        if (z >= n[2]) {
-          if (!rules.periodic[2] || n[2] == 1) {
-            continue;
-          }
-          crossing += rules.axis == 2 ? dk : 0;
-          z = 0;
-        }
-        const std::size_t b = static_cast<std::size_t>(y) + static_cast<std::size_t>(n[1]) * z;
+  for (std::size_t a = 0; a + 1 < c.row.size(); ++a) {
+    const std::size_t first = c.row[a];
+    const std::size_t past = c.row[a + 1];
+    if (rules.periodic[0] && first < past && c.run[first].first == 0 &&
+        c.run[past - 1].past == n[0]) {
+      sets.join(static_cast<std::int32_t>(past - 1), static_cast<std::int32_t>(first),
+                rules.axis == 0 ? 1 : 0);
+    }
+    const std::array<int, 2> here{static_cast<int>(a % static_cast<std::size_t>(n[1])),
+                                  static_cast<int>(a / static_cast<std::size_t>(n[1]))};
+    for (const auto& way : ways) {
+      std::size_t b = 0;
+      int crossing = 0;
+      if (next_row(n, rules, here, way, b, crossing)) {
         join_rows(c, a, b, crossing, n[0], rules, sets);
       }
     }

@@ -47,6 +47,40 @@ struct Lattice {
   }
 };
 
+/// For each edge through which an outline enters a square, the edge through which it leaves.
+using Links = std::unordered_map<Index, Index>;
+
+/// Grain is on the left: walking round the square, the outline leaves where grain turns to pore
+/// and enters where pore turns to grain; around a grain corner it leaves right after.
+void link_square(const Lattice& lattice, int i, int j, Links& next) {
+  // corners and edges counter-clockwise from the lower left
+  const std::array<bool, 4> grain{lattice.value(i, j) < 0, lattice.value(i + 1, j) < 0,
+                                  lattice.value(i + 1, j + 1) < 0, lattice.value(i, j + 1) < 0};
+  const std::array<Index, 4> edge{lattice.edge(i, j, 0), lattice.edge(i + 1, j, 1),
+                                  lattice.edge(i, j + 1, 0), lattice.edge(i, j, 1)};
+  for (std::size_t a = 0; a < 4; ++a) {
+    if (grain[a] || !grain[(a + 1) % 4]) {
+      continue;
+    }
+    std::size_t b = (a + 1) % 4;
+    while (grain[(b + 1) % 4]) {
+      b = (b + 1) % 4;
+    }
+    next[edge[b]] = edge[a];
+  }
+}
+
+/// Follow the links from an edge until they are used up.
+Outline follow(const Lattice& lattice, Index at, Links& next) {
+  Outline outline;
+  for (auto step = next.find(at); step != next.end(); step = next.find(at)) {
+    outline.push_back(lattice.crossing(at));
+    at = step->second;
+    next.erase(step);
+  }
+  return outline;
+}
+
 }  // namespace
 
 std::vector<Outline> grain_outlines(const VoxelSolid& solid) {
@@ -54,27 +88,10 @@ std::vector<Outline> grain_outlines(const VoxelSolid& solid) {
     throw RunError("grain_outlines needs the solid of a whole 2D image");
   }
   const Lattice lattice(solid);
-  // next[e]: the edge on which the outline that enters a square through edge e leaves it
-  std::unordered_map<Index, Index> next;
+  Links next;
   for (int j = -1; j < lattice.ny; ++j) {
     for (int i = -1; i < lattice.nx; ++i) {
-      // corners and edges of the square, counter-clockwise from the lower left
-      const std::array<bool, 4> grain{lattice.value(i, j) < 0, lattice.value(i + 1, j) < 0,
-                                      lattice.value(i + 1, j + 1) < 0, lattice.value(i, j + 1) < 0};
-      const std::array<Index, 4> edge{lattice.edge(i, j, 0), lattice.edge(i + 1, j, 1),
-                                      lattice.edge(i, j + 1, 0), lattice.edge(i, j, 1)};
-      // grain on the left: walking round the square, the outline leaves where grain turns to pore
-      // and enters where pore turns to grain; around a grain corner it leaves right after
-      for (std::size_t a = 0; a < 4; ++a) {
-        if (grain[a] || !grain[(a + 1) % 4]) {
-          continue;
-        }
-        std::size_t b = (a + 1) % 4;
-        while (grain[(b + 1) % 4]) {
-          b = (b + 1) % 4;
-        }
-        next[edge[b]] = edge[a];
-      }
+      link_square(lattice, i, j, next);
     }
   }
   std::vector<Index> starts;
@@ -85,19 +102,7 @@ std::vector<Outline> grain_outlines(const VoxelSolid& solid) {
   std::sort(starts.begin(), starts.end());
   std::vector<Outline> outlines;
   for (const Index start : starts) {
-    Outline outline;
-    for (auto it = next.find(start); it != next.end(); it = next.find(start)) {
-      Index at = start;
-      while (true) {
-        const auto step = next.find(at);
-        if (step == next.end()) {
-          break;
-        }
-        outline.push_back(lattice.crossing(at));
-        at = step->second;
-        next.erase(step);
-      }
-    }
+    Outline outline = follow(lattice, start, next);
     if (outline.size() >= 3) {
       outlines.push_back(std::move(outline));
     }

@@ -110,7 +110,7 @@ Real surface_area(const VoxelSolid& solid, Real depth) {
       if (up != down) {
         const Real g = (static_cast<Real>(solid.s[static_cast<std::size_t>(up)]) -
                         solid.s[static_cast<std::size_t>(down)]) /
-                       static_cast<Real>((up - down) / stride[a]);
+                       static_cast<Real>(up - down) * static_cast<Real>(stride[a]);
         square += g * g;
       }
     }

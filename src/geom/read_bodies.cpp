@@ -32,6 +32,14 @@ bool parse_numbers(std::string_view line, std::vector<Real>& numbers) {
   return true;
 }
 
+Body make_body(const std::vector<Real>& numbers, int dims, Real unit, const std::string& place) {
+  if (!(numbers.back() > 0)) {
+    throw InputError(fmt::format("{}: a radius of {} must be positive.", place, numbers.back()));
+  }
+  return {{numbers[0] * unit, numbers[1] * unit, dims == 3 ? numbers[2] * unit : 0},
+          numbers.back() * unit};
+}
+
 }  // namespace
 
 std::vector<Body> read_bodies(const std::string& path, int dims, Real unit) {
@@ -58,13 +66,7 @@ std::vector<Body> read_bodies(const std::string& path, int dims, Real unit) {
       throw InputError(fmt::format("{}:{}: '{}' is not a row of {} numbers ({}).", path, row,
                                    line.substr(0, 60), dims + 1, wanted));
     }
-    const Body body{{numbers[0] * unit, numbers[1] * unit, dims == 3 ? numbers[2] * unit : 0},
-                    numbers.back() * unit};
-    if (!(body.radius > 0)) {
-      throw InputError(
-          fmt::format("{}:{}: a radius of {} must be positive.", path, row, numbers.back()));
-    }
-    bodies.push_back(body);
+    bodies.push_back(make_body(numbers, dims, unit, fmt::format("{}:{}", path, row)));
   }
   if (bodies.empty()) {
     throw InputError(fmt::format(

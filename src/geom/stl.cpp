@@ -127,6 +127,30 @@ std::vector<Triangle> extrude(const std::vector<Outline>& outlines, Real depth) 
   return out;
 }
 
+namespace {
+
+/// The six tetrahedra of the cube whose lowest corner is `low`.
+void march_cube(const Lattice& lattice, const Int3& low, std::vector<Triangle>& out) {
+  std::array<Int3, 8> cube{};
+  int grains = 0;
+  for (int c = 0; c < 8; ++c) {
+    const auto u = static_cast<std::size_t>(c);
+    cube[u] = {low[0] + (c & 1), low[1] + (c >> 1 & 1), low[2] + (c >> 2)};
+    grains += lattice.value(cube[u]) < 0 ? 1 : 0;
+  }
+  if (grains == 0 || grains == 8) {
+    return;
+  }
+  for (const auto& t : tetrahedra) {
+    march(lattice,
+          {cube[static_cast<std::size_t>(t[0])], cube[static_cast<std::size_t>(t[1])],
+           cube[static_cast<std::size_t>(t[2])], cube[static_cast<std::size_t>(t[3])]},
+          out);
+  }
+}
+
+}  // namespace
+
 std::vector<Triangle> grain_surface(const VoxelSolid& solid) {
   if (solid.n[2] == 1 || solid.window.size() != solid.n) {
     throw RunError("grain_surface needs the solid of a whole 3D image");
@@ -136,22 +160,7 @@ std::vector<Triangle> grain_surface(const VoxelSolid& solid) {
   for (int k = -1; k < solid.n[2]; ++k) {
     for (int j = -1; j < solid.n[1]; ++j) {
       for (int i = -1; i < solid.n[0]; ++i) {
-        std::array<Int3, 8> cube{};
-        int grains = 0;
-        for (int c = 0; c < 8; ++c) {
-          const auto u = static_cast<std::size_t>(c);
-          cube[u] = {i + (c & 1), j + (c >> 1 & 1), k + (c >> 2)};
-          grains += lattice.value(cube[u]) < 0 ? 1 : 0;
-        }
-        if (grains == 0 || grains == 8) {
-          continue;
-        }
-        for (const auto& t : tetrahedra) {
-          march(lattice,
-                {cube[static_cast<std::size_t>(t[0])], cube[static_cast<std::size_t>(t[1])],
-                 cube[static_cast<std::size_t>(t[2])], cube[static_cast<std::size_t>(t[3])]},
-                out);
-        }
+        march_cube(lattice, {i, j, k}, out);
       }
     }
   }

@@ -157,8 +157,9 @@ std::vector<Throat> find_throats(const VoxelSolid& solid, const Basins& pores,
   const auto directions = half_directions(n[2] == 1);
   std::vector<Throat> throats;
   for (const Index v : centres) {
-    const Vec3 x{static_cast<Real>(v % n[0]) + 0.5, static_cast<Real>(v / n[0] % n[1]) + 0.5,
-                 static_cast<Real>(v / (Index{n[0]} * n[1])) + 0.5};
+    const Int3 i{static_cast<int>(v % n[0]), static_cast<int>(v / n[0] % n[1]),
+                 static_cast<int>(v / (Index{n[0]} * n[1]))};
+    const Vec3 x{i[0] + 0.5, i[1] + 0.5, i[2] + 0.5};
     const Throat throat = measure(solid, solid.pixel * x, directions);
     if (throat.width < std::numeric_limits<Real>::max()) {
       throats.push_back(throat);
