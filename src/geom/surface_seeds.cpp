@@ -89,43 +89,58 @@ bool must_keep(const Neighbourhood& around, const Neighbourhood& flipped, bool f
   return true;
 }
 
-/// Give back their sign to voxels whose flip would close a throat or erase a grain.
-Index rescue(const Window& where, const Window& count_in, const std::vector<std::uint8_t>& pore,
-             const Grid3& pore_grid, std::vector<float>& raw, const Grid3& grid, bool flat) {
-  std::vector<Index> kept;
-  Index counted = 0;
-  const auto is_flipped = [&](Index v, bool is_pore) {
+/// The binary volume and its blurred, inverted image raw on a smaller window.
+struct Blurred {
+  const std::vector<std::uint8_t>& pore;
+  const Grid3& pore_grid;
+  std::vector<float>& raw;
+  const Grid3& grid;
+  bool flat;
+
+  [[nodiscard]] bool is_flipped(Index v, bool is_pore) const {
     return (raw[static_cast<std::size_t>(v)] > 0) != is_pore;
-  };
+  }
+
+  /// Voxel u of the binary volume is voxel v of raw: flipped, but not allowed to.
+  [[nodiscard]] bool needs_rescue(Index u, Index v) const {
+    if (!is_flipped(v, pore[static_cast<std::size_t>(u)] != 0)) {
+      return false;
+    }
+    Neighbourhood around{};
+    Neighbourhood flipped{};
+    for (int a = flat ? 9 : 0; a < (flat ? 18 : 27); ++a) {
+      const int dx = a % 3 - 1;
+      const int dy = a / 3 % 3 - 1;
+      const int dz = a / 9 - 1;
+      const Index at = u + dx + dy * pore_grid.stride[1] + dz * pore_grid.stride[2];
+      const bool is_pore = pore[static_cast<std::size_t>(at)] != 0;
+      const Index there = v + dx + dy * grid.stride[1] + dz * grid.stride[2];
+      around[static_cast<std::size_t>(a)] = is_pore ? 1 : 0;
+      flipped[static_cast<std::size_t>(a)] = is_flipped(there, is_pore) ? 1 : 0;
+    }
+    return must_keep(around, flipped, flat);
+  }
+};
+
+/// Give back their sign to voxels whose flip would close a throat or erase a grain.
+Index rescue(const Window& where, const Window& count_in, const Blurred& blurred) {
+  std::vector<std::pair<Index, float>> kept;  // applied at the end: the order must not matter
+  Index counted = 0;
   for (int k = where.first[2]; k < where.past[2]; ++k) {
     for (int j = where.first[1]; j < where.past[1]; ++j) {
-      Index v = grid.at(where.first[0], j, k);
-      Index u = pore_grid.at(where.first[0], j, k);
+      Index v = blurred.grid.at(where.first[0], j, k);
+      Index u = blurred.pore_grid.at(where.first[0], j, k);
       for (int i = where.first[0]; i < where.past[0]; ++i, ++v, ++u) {
-        if (!is_flipped(v, pore[static_cast<std::size_t>(u)] != 0)) {
-          continue;
-        }
-        Neighbourhood around{};
-        Neighbourhood flipped{};
-        for (int a = flat ? 9 : 0; a < (flat ? 18 : 27); ++a) {
-          const int dx = a % 3 - 1;
-          const int dy = a / 3 % 3 - 1;
-          const int dz = a / 9 - 1;
-          const bool is_pore = pore[static_cast<std::size_t>(u + dx + dy * pore_grid.stride[1] +
-                                                             dz * pore_grid.stride[2])] != 0;
-          around[static_cast<std::size_t>(a)] = is_pore ? 1 : 0;
-          flipped[static_cast<std::size_t>(a)] =
-              is_flipped(v + dx + dy * grid.stride[1] + dz * grid.stride[2], is_pore) ? 1 : 0;
-        }
-        if (must_keep(around, flipped, flat)) {
-          kept.push_back(around[13] != 0 ? v : -v - 1);
+        if (blurred.needs_rescue(u, v)) {
+          const bool is_pore = blurred.pore[static_cast<std::size_t>(u)] != 0;
+          kept.emplace_back(v, is_pore ? rescued_value : -rescued_value);
           counted += count_in.holds(i, j, k) ? 1 : 0;
         }
       }
     }
   }
-  for (const Index v : kept) {
-    raw[static_cast<std::size_t>(v >= 0 ? v : -v - 1)] = v >= 0 ? rescued_value : -rescued_value;
+  for (const auto& [v, value] : kept) {
+    blurred.raw[static_cast<std::size_t>(v)] = value;
   }
   return counted;
 }
@@ -193,7 +208,7 @@ SurfaceSeeds find_surface(const VoxelView& image, const Surroundings& beyond, co
   }
   SurfaceSeeds out;
   out.window = window;
-  out.rescued = rescue(grown(window, 1, flat), count_in, pore, pore_grid, raw, grid, flat);
+  out.rescued = rescue(grown(window, 1, flat), count_in, {pore, pore_grid, raw, grid, flat});
 
   const auto count = static_cast<std::size_t>(product(window.size()));
   out.index.assign(count, -1);

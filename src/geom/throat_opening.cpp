@@ -4,11 +4,17 @@
 #include <algorithm>
 
 #include "geom/nearest.hpp"
+#include "geom/neighbours.hpp"
 #include "geom/simple_point.hpp"
 
 namespace porefines::geom {
 
 namespace {
+
+Int3 position(const Int3& n, Index v) {
+  return {static_cast<int>(v % n[0]), static_cast<int>(v / n[0] % n[1]),
+          static_cast<int>(v / (Index{n[0]} * n[1]))};
+}
 
 /// Twice the resolution in the plane of a 2D image, so that odd and even widths count alike.
 VoxelView refine(const VoxelView& image, Voxels& store) {
@@ -83,101 +89,112 @@ Depth measure_depth(const VoxelView& image, const Surroundings& beyond, Real wid
   return out;
 }
 
+/// Whether pore voxel v is at least as deep as its neighbours within the face normal to `axis`.
+bool is_deepest_on_face(const Int3& n, const Depth& depth, Index v, const Int3& x,
+                        std::size_t axis) {
+  const std::array<Index, 3> stride{1, n[0], Index{n[0]} * n[1]};
+  for (std::size_t t = 0; t < 3; ++t) {
+    for (const int side : {-1, 1}) {
+      const bool inside = t != axis && x[t] + side >= 0 && x[t] + side < n[t];
+      if (inside && depth.square[static_cast<std::size_t>(v + side * stride[t])] >
+                        depth.square[static_cast<std::size_t>(v)]) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 /// Keep the middle of every stretch of pore on a box face that is not periodic: a way out.
 void anchor_faces(const VoxelView& image, const Surroundings& beyond, const Depth& depth,
                   std::vector<std::uint8_t>& anchor) {
   const Int3 n = image.n;
-  const std::array<Index, 3> stride{1, n[0], Index{n[0]} * n[1]};
   for (Index v = 0; v < product(n); ++v) {
-    const Int3 x{static_cast<int>(v % n[0]), static_cast<int>(v / n[0] % n[1]),
-                 static_cast<int>(v / stride[2])};
+    const Int3 x = position(n, v);
     for (std::size_t axis = 0; axis < (n[2] == 1 ? 2U : 3U); ++axis) {
-      if (beyond[axis] == Beyond::periodic || (x[axis] != 0 && x[axis] != n[axis] - 1)) {
-        continue;
+      const bool on_face =
+          beyond[axis] != Beyond::periodic && (x[axis] == 0 || x[axis] == n[axis] - 1);
+      if (on_face && image.pore[v] != 0 && is_deepest_on_face(n, depth, v, x, axis)) {
+        anchor[static_cast<std::size_t>(v)] = 1;
       }
-      bool deepest = image.pore[v] != 0;
-      for (std::size_t t = 0; t < 3; ++t) {
-        for (const int side : {-1, 1}) {
-          if (t != axis && x[t] + side >= 0 && x[t] + side < n[t]) {
-            deepest = deepest && depth.square[static_cast<std::size_t>(v + side * stride[t])] <=
-                                     depth.square[static_cast<std::size_t>(v)];
-          }
-        }
-      }
-      anchor[static_cast<std::size_t>(v)] |= deepest ? 1 : 0;
     }
   }
+}
+
+/// Voxels waiting to be tried, the shallowest first; first in, first out within a depth, so that
+/// lines stay in the middle.
+class Queue {
+ public:
+  void push(Index v, int square) {
+    const auto level = static_cast<std::size_t>(square);
+    if (level >= bucket_.size()) {
+      bucket_.resize(level + 1);
+      head_.resize(level + 1, 0);
+    }
+    bucket_[level].push_back(v);
+    lowest_ = std::min(lowest_, level);
+  }
+
+  /// The next voxel; -1 when there is none.
+  Index pop() {
+    for (; lowest_ < bucket_.size(); ++lowest_) {
+      if (head_[lowest_] < bucket_[lowest_].size()) {
+        return bucket_[lowest_][head_[lowest_]++];
+      }
+      bucket_[lowest_].clear();
+      head_[lowest_] = 0;
+    }
+    return -1;
+  }
+
+ private:
+  std::vector<std::vector<Index>> bucket_;  ///< by squared distance
+  std::vector<std::size_t> head_;
+  std::size_t lowest_ = 0;
+};
+
+/// Pore left around voxel v; outside a face that is not periodic there is none.
+Neighbourhood look_around(const Int3& n, const Surroundings& beyond,
+                          const std::vector<std::uint8_t>& left, Index v) {
+  const Int3 x = position(n, v);
+  Neighbourhood around{};
+  for (int a = n[2] == 1 ? 9 : 0; a < (n[2] == 1 ? 18 : 27); ++a) {
+    const Int3 y{x[0] + a % 3 - 1, x[1] + a / 3 % 3 - 1, x[2] + a / 9 - 1};
+    Int3 w{};
+    bool inside = true;
+    for (std::size_t t = 0; t < 3; ++t) {
+      inside = inside && (beyond[t] == Beyond::periodic || (y[t] >= 0 && y[t] < n[t]));
+      w[t] = (y[t] + n[t]) % n[t];
+    }
+    around[static_cast<std::size_t>(a)] =
+        inside ? left[static_cast<std::size_t>(voxel_index(n, w[0], w[1], w[2]))] : 0;
+  }
+  return around;
 }
 
 /// The pore, thinned to `anchor` and the lines that its topology needs.
 std::vector<std::uint8_t> thin(const VoxelView& image, const Surroundings& beyond,
                                const Depth& depth, const std::vector<std::uint8_t>& anchor) {
   const Int3 n = image.n;
-  const bool flat = n[2] == 1;
   std::vector<std::uint8_t> left(image.pore, image.pore + product(n));
-  const auto place = [&](int i, int j, int k) -> Index {  // -1 outside
-    const Int3 x{i, j, k};
-    Int3 y{};
-    for (std::size_t a = 0; a < 3; ++a) {
-      const bool wraps = beyond[a] == Beyond::periodic;
-      if (!wraps && (x[a] < 0 || x[a] >= n[a])) {
-        return -1;
-      }
-      y[a] = (x[a] + n[a]) % n[a];
-    }
-    return voxel_index(n, y[0], y[1], y[2]);
-  };
-  const auto removable = [&](Index v) {
-    const int i = static_cast<int>(v % n[0]);
-    const int j = static_cast<int>(v / n[0] % n[1]);
-    const int k = static_cast<int>(v / (Index{n[0]} * n[1]));
-    Neighbourhood around{};
-    for (int a = flat ? 9 : 0; a < (flat ? 18 : 27); ++a) {
-      const Index u = place(i + a % 3 - 1, j + a / 3 % 3 - 1, k + a / 9 - 1);
-      around[static_cast<std::size_t>(a)] = u >= 0 ? left[static_cast<std::size_t>(u)] : 0;
-    }
-    return is_simple(around, flat);
-  };
-  // first in, first out within a distance: lines stay in the middle
-  std::vector<std::vector<Index>> bucket;
-  std::vector<std::size_t> head;
-  std::size_t lowest = 0;
+  Queue queue;
   const auto push = [&](Index v) {
     const auto u = static_cast<std::size_t>(v);
-    if (left[u] == 0 || anchor[u] != 0) {
-      return;
+    if (left[u] != 0 && anchor[u] == 0) {
+      queue.push(v, depth.square[u]);
     }
-    const auto level = static_cast<std::size_t>(depth.square[u]);
-    if (level >= bucket.size()) {
-      bucket.resize(level + 1);
-      head.resize(level + 1, 0);
-    }
-    bucket[level].push_back(v);
-    lowest = std::min(lowest, level);
   };
   for (Index v = 0; v < product(n); ++v) {
     push(v);
   }
-  while (lowest < bucket.size()) {
-    if (head[lowest] == bucket[lowest].size()) {
-      bucket[lowest].clear();
-      head[lowest] = 0;
-      ++lowest;
-      continue;
-    }
-    const Index v = bucket[lowest][head[lowest]++];
-    if (left[static_cast<std::size_t>(v)] == 0 || !removable(v)) {
-      continue;
-    }
-    left[static_cast<std::size_t>(v)] = 0;
-    const int i = static_cast<int>(v % n[0]);
-    const int j = static_cast<int>(v / n[0] % n[1]);
-    const int k = static_cast<int>(v / (Index{n[0]} * n[1]));
-    for (int a = flat ? 9 : 0; a < (flat ? 18 : 27); ++a) {  // what was not simple may be now
-      const Index u = place(i + a % 3 - 1, j + a / 3 % 3 - 1, k + a / 9 - 1);
-      if (u >= 0) {
-        push(u);
-      }
+  const std::array<bool, 3> periodic{beyond[0] == Beyond::periodic, beyond[1] == Beyond::periodic,
+                                     beyond[2] == Beyond::periodic};
+  const Neighbours neighbours(n, periodic, true);
+  for (Index v = queue.pop(); v >= 0; v = queue.pop()) {
+    const auto u = static_cast<std::size_t>(v);
+    if (left[u] != 0 && is_simple(look_around(n, beyond, left, v), n[2] == 1)) {
+      left[u] = 0;
+      neighbours.visit(v, push);  // what was not simple may be now
     }
   }
   return left;
@@ -188,9 +205,7 @@ Index open_ball(Voxels& voxels, Index v, Real radius, const Surroundings& beyond
   const Int3 n = voxels.n;
   const int r = static_cast<int>(radius);
   const int rz = n[2] == 1 ? 0 : r;
-  const int i = static_cast<int>(v % n[0]);
-  const int j = static_cast<int>(v / n[0] % n[1]);
-  const int k = static_cast<int>(v / (Index{n[0]} * n[1]));
+  const auto [i, j, k] = position(n, v);
   Index opened = 0;
   for (int c = -rz; c <= rz; ++c) {
     for (int b = -r; b <= r; ++b) {
@@ -215,9 +230,7 @@ Index open_ball(Voxels& voxels, Index v, Real radius, const Surroundings& beyond
 bool is_lone(const std::vector<std::uint8_t>& lines, const Voxels& voxels, Index v,
              const Surroundings& beyond) {
   const Int3 n = voxels.n;
-  const int i = static_cast<int>(v % n[0]);
-  const int j = static_cast<int>(v / n[0] % n[1]);
-  const int k = static_cast<int>(v / (Index{n[0]} * n[1]));
+  const auto [i, j, k] = position(n, v);
   for (int a = 0; a < 27; ++a) {
     const Int3 x{fold(i + a % 3 - 1, n[0], beyond[0]), fold(j + a / 3 % 3 - 1, n[1], beyond[1]),
                  fold(k + a / 9 - 1, n[2], beyond[2])};
