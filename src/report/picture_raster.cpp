@@ -76,7 +76,8 @@ cv::Vec3b pixel_colour(const Sample& sample, const ColourScale& scale, Real pixe
   // Distance to the outline in pixels: the fluid fraction changes by one over a cell.
   const Real distance = (sample.fluid - 0.5) * pixels_per_cell;
   const cv::Vec3b base = blend(grain_colour, fluid, std::clamp(distance + 0.5, 0.0, 1.0));
-  const Real line = std::clamp(1.4 - std::abs(distance), 0.0, 1.0);
+  // Away from grains there is no outline, however few pixels a cell has.
+  const Real line = sample.fluid > 1 - 1e-9 ? 0 : std::clamp(1.4 - std::abs(distance), 0.0, 1.0);
   return blend({base[0], base[1], base[2]}, outline_colour, 0.85 * line);
 }
 
