@@ -36,7 +36,8 @@ AxisCoefficients make_axis(const grid::Block& block, int axis, const std::vector
   const int total = w.size();
   AxisCoefficients c;
   c.offset = block.ghost[axis];
-  const auto length = static_cast<std::size_t>(block.n[axis] + 2 * c.offset + 1 + 2 * grid::line_width);
+  const auto length =
+      static_cast<std::size_t>(block.n[axis] + 2 * c.offset + 1 + 2 * grid::line_width);
   for (auto* array : {&c.face_low, &c.face_high, &c.cell_low, &c.cell_high, &c.gradient,
                       &c.divergence, &c.owned_cell, &c.owned_face}) {
     array->assign(length, 0.0F);
@@ -53,8 +54,12 @@ AxisCoefficients make_axis(const grid::Block& block, int axis, const std::vector
     const bool mirror_high = !periodic && here == total;
     const Real d = w.between(here);
     const Real both = (1 / w.cell(here - 1) + 1 / w.cell(here)) / d;
-    c.face_low[at] = static_cast<float>(mirror_low ? 0 : mirror_high ? both : 1 / (w.cell(here - 1) * d));
-    c.face_high[at] = static_cast<float>(mirror_high ? 0 : mirror_low ? both : 1 / (w.cell(here) * d));
+    c.face_low[at] = static_cast<float>(mirror_low    ? 0
+                                        : mirror_high ? both
+                                                      : 1 / (w.cell(here - 1) * d));
+    c.face_high[at] = static_cast<float>(mirror_high  ? 0
+                                         : mirror_low ? both
+                                                      : 1 / (w.cell(here) * d));
     c.gradient[at] = static_cast<float>((mirror_low || mirror_high ? 2 : 1) / d);
     if (periodic || here < total) {
       c.cell_low[at] = static_cast<float>(1 / (w.cell(here) * d));
@@ -89,7 +94,8 @@ AxisTransfer make_transfer(const grid::Block& fine, int axis, const std::vector<
     const auto at = static_cast<std::size_t>(I);
     if (I < count) {
       t.cell_first[at] = static_cast<float>(f.cell(here) / c.cell(coarse));
-      t.cell_second[at] = static_cast<float>(has_second(coarse) ? f.cell(here + 1) / c.cell(coarse) : 0);
+      t.cell_second[at] =
+          static_cast<float>(has_second(coarse) ? f.cell(here + 1) / c.cell(coarse) : 0);
       // A last cell with one child ends at an odd fine face, which is coarse face I+1 itself.
       t.odd_low[at] = has_second(coarse) ? 0.5F : 0.0F;
       t.odd_high[at] = has_second(coarse) ? 0.5F : 1.0F;

@@ -29,8 +29,12 @@ struct AxisCoefficients {
   std::vector<float> owned_cell;  ///< 1 where this rank owns the cell, else 0
   std::vector<float> owned_face;
 
-  [[nodiscard]] float sum_at_face(int i) const { return face_low[i + offset] + face_high[i + offset]; }
-  [[nodiscard]] float sum_at_cell(int i) const { return cell_low[i + offset] + cell_high[i + offset]; }
+  [[nodiscard]] float sum_at_face(int i) const {
+    return face_low[i + offset] + face_high[i + offset];
+  }
+  [[nodiscard]] float sum_at_cell(int i) const {
+    return cell_low[i + offset] + cell_high[i + offset];
+  }
 };
 
 /// @param widths  of all cells of the axis (global), in fine cells of axis x
@@ -46,14 +50,14 @@ AxisCoefficients make_axis(const grid::Block& block, int axis, const std::vector
 ///   coarse faces I and I+1 with weights 1/2. Restriction is the transpose times d_f/d_C. Where one
 ///   of the two coarse faces is closed, Level::carry doubles the other's share.
 struct AxisTransfer {
-  bool coarsened = false;           ///< false: the axis has one cell on both levels
-  std::vector<float> cell_first;    ///< per coarse cell: weight of child 2I
-  std::vector<float> cell_second;   ///< weight of child 2I+1; 0 where there is none
-  std::vector<float> face_before;   ///< per coarse face: weight of fine face 2I-1
-  std::vector<float> face_middle;   ///< weight of fine face 2I
-  std::vector<float> face_after;    ///< weight of fine face 2I+1
-  std::vector<float> odd_low;       ///< per coarse cell: weight of coarse face I in fine face 2I+1
-  std::vector<float> odd_high;      ///< weight of coarse face I+1
+  bool coarsened = false;          ///< false: the axis has one cell on both levels
+  std::vector<float> cell_first;   ///< per coarse cell: weight of child 2I
+  std::vector<float> cell_second;  ///< weight of child 2I+1; 0 where there is none
+  std::vector<float> face_before;  ///< per coarse face: weight of fine face 2I-1
+  std::vector<float> face_middle;  ///< weight of fine face 2I
+  std::vector<float> face_after;   ///< weight of fine face 2I+1
+  std::vector<float> odd_low;      ///< per coarse cell: weight of coarse face I in fine face 2I+1
+  std::vector<float> odd_high;     ///< weight of coarse face I+1
 };
 
 AxisTransfer make_transfer(const grid::Block& fine, int axis, const std::vector<Real>& fine_widths,

@@ -99,7 +99,7 @@ SolveReport solve_gcr(const par::Communicator& comm, Hierarchy& hierarchy, Opera
   const Real reference = options.reference > 0 ? options.reference : size;
   SolveReport report;
   std::deque<Direction> kept;
-  bool exact = true;    // r is b - K x to double precision
+  bool exact = true;     // r is b - K x to double precision
   bool stalled = false;  // the last step gained little
   while (true) {
     report.residual = reference > 0 ? size / reference : 0;
@@ -112,8 +112,8 @@ SolveReport solve_gcr(const par::Communicator& comm, Hierarchy& hierarchy, Opera
       continue;
     }
     report.converged = report.residual <= options.tolerance;
-    const bool stop = report.converged || report.cycles >= options.max_cycles || !std::isfinite(size) ||
-                      (options.interrupted && options.interrupted());
+    const bool stop = report.converged || report.cycles >= options.max_cycles ||
+                      !std::isfinite(size) || (options.interrupted && options.interrupted());
     if (stop) {
       return report;
     }

@@ -9,10 +9,10 @@
 namespace porefines::flow {
 
 struct SolveOptions {
-  Real tolerance = 1e-6;      ///< of the residual norm, relative to `reference`
-  Real reference = 0;         ///< norm that 1 stands for; 0: norm of the first residual
+  Real tolerance = 1e-6;  ///< of the residual norm, relative to `reference`
+  Real reference = 0;     ///< norm that 1 stands for; 0: norm of the first residual
   int max_cycles = 200;
-  int directions = 2;         ///< previous search directions kept
+  int directions = 2;                                      ///< previous search directions kept
   std::function<void(int cycle, Real residual)> progress;  ///< called on every rank
   std::function<bool()> interrupted;                       ///< asked on every rank, same answer
 };

@@ -81,8 +81,9 @@ void homogenise(Level& level) {
             const auto& axis = level.axis[t];
             const std::size_t here = index[t] + axis.offset;
             const std::ptrdiff_t s = b.stride(t);
-            neighbours += t == c ? axis.face_low[here] * m[at - s] + axis.face_high[here] * m[at + s]
-                                 : axis.cell_low[here] * m[at - s] + axis.cell_high[here] * m[at + s];
+            neighbours += t == c
+                              ? axis.face_low[here] * m[at - s] + axis.face_high[here] * m[at + s]
+                              : axis.cell_low[here] * m[at - s] + axis.cell_high[here] * m[at + s];
           }
           inverse[at] = m[at] / (1 + neighbours);
         }
@@ -116,8 +117,8 @@ Real owned_sum(const Level& level, int component) {
 
 }  // namespace
 
-Hierarchy::Hierarchy(const par::Communicator& comm, const par::Decomposition& cut, const Vec3& spacing,
-                     const Boundaries& boundaries)
+Hierarchy::Hierarchy(const par::Communicator& comm, const par::Decomposition& cut,
+                     const Vec3& spacing, const Boundaries& boundaries)
     : comm_(comm), boundaries_(boundaries) {
   levels_.emplace_back(comm, cut, fine_widths(cut.cells, spacing), boundaries, sweep_depth, true);
   levels_.front().replicated = comm.size() == 1;
@@ -169,8 +170,8 @@ bool Hierarchy::add_coarse_level() {
   const par::Decomposition coarse_cut = fine.decomposition.coarsened();
   const bool replicated = fine.replicated || !can_stay_distributed(fine.decomposition);
   const par::Communicator group = replicated ? par::Communicator::self() : comm_;
-  levels_.emplace_back(group, replicated ? whole(coarse_cut.cells) : coarse_cut, halved(fine.widths),
-                       boundaries_, sweep_depth, false);
+  levels_.emplace_back(group, replicated ? whole(coarse_cut.cells) : coarse_cut,
+                       halved(fine.widths), boundaries_, sweep_depth, false);
   Level& coarse = levels_.back();
   coarse.replicated = replicated;
   transfers_.emplace_back(comm_, fine, coarse, boundaries_);
@@ -228,6 +229,8 @@ void visit(Hierarchy& hierarchy, int l, bool from_zero) {
 
 }  // namespace
 
-void cycle(Hierarchy& hierarchy) { visit(hierarchy, 0, true); }
+void cycle(Hierarchy& hierarchy) {
+  visit(hierarchy, 0, true);
+}
 
 }  // namespace porefines::flow

@@ -173,10 +173,9 @@ void push_line_cells(Level& level, const PushStencil& s, int i, std::ptrdiff_t a
   const float* chosen = lanes.of[parity].data();
 #pragma omp simd
   for (int l = 0; l < width; ++l) {
-    const float divergence =
-        (flux<weighted>(u, wu, l + 1) - flux<weighted>(u, wu, l)) * div_x[l] +
-        (flux<weighted>(v, wv, l + sy) - flux<weighted>(v, wv, l)) * s.div_y +
-        (flux<weighted>(w, ww, l + sz) - flux<weighted>(w, ww, l)) * s.div_z;
+    const float divergence = (flux<weighted>(u, wu, l + 1) - flux<weighted>(u, wu, l)) * div_x[l] +
+                             (flux<weighted>(v, wv, l + sy) - flux<weighted>(v, wv, l)) * s.div_y +
+                             (flux<weighted>(w, ww, l + sz) - flux<weighted>(w, ww, l)) * s.div_z;
     const float q = chosen[l] * push[l] * (g[l] - divergence);
     p[l] += omega * q;
     moved[l] = q;
@@ -185,7 +184,8 @@ void push_line_cells(Level& level, const PushStencil& s, int i, std::ptrdiff_t a
 
 /// u -= sign (W/d) grad q on one line of faces.
 template <bool weighted>
-inline void push_faces(float* u, const float* inverse, const float* weight, const float* q, float step) {
+inline void push_faces(float* u, const float* inverse, const float* weight, const float* q,
+                       float step) {
 #pragma omp simd
   for (int l = 0; l < width; ++l) {
     const float mobility = weighted ? inverse[l] * weight[l] : inverse[l];

@@ -94,7 +94,8 @@ void find_push(Level& level) {
 
 void finish_level(Level& level) {
   find_push(level);
-  find_active_lines(level);  // a cell may be open to its high sides only: lines with cells count too
+  find_active_lines(
+      level);  // a cell may be open to its high sides only: lines with cells count too
 }
 
 }  // namespace porefines::flow

@@ -45,9 +45,9 @@ struct Level {
   Floats3 weight;            ///< W, finest level only
   Floats3 mobility;          ///< M of A M = W; what coarse levels are made from
   Floats3 inverse_mobility;  ///< 1/M, 0 at inactive faces; coarse levels only
-  Floats3 carry;             ///< how velocity follows the coarse level: M, or 2 M where just one of the
-                             ///< two coarse faces next to an odd face is open
-  Floats push;               ///< 1 / sum(W^2 grad div / d) over the faces of a cell; 0 if inactive
+  Floats3 carry;  ///< how velocity follows the coarse level: M, or 2 M where just one of the
+                  ///< two coarse faces next to an odd face is open
+  Floats push;    ///< 1 / sum(W^2 grad div / d) over the faces of a cell; 0 if inactive
   ActiveLines lines;
 
   Floats3 u;  ///< velocity (correction)

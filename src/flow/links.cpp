@@ -122,7 +122,8 @@ struct Link {
 };
 
 /// Links of one face near a grain: wall friction and link weight.
-Link link_face(const Faces& faces, const SignedDistance& s, const Int3& index, const Vec3& x, Real s0) {
+Link link_face(const Faces& faces, const SignedDistance& s, const Int3& index, const Vec3& x,
+               Real s0) {
   Link link{0, 1};
   Real normal_squared = 0;
   Real reach = 0;  // sum of n_t^2 c_t
@@ -176,7 +177,8 @@ Friction no_flow(const Level& level) {
 
 }  // namespace
 
-Friction link_to_surface(Level& finest, const Boundaries& boundaries, const SignedDistance& distance) {
+Friction link_to_surface(Level& finest, const Boundaries& boundaries,
+                         const SignedDistance& distance) {
   Friction friction = no_flow(finest);
   for (int c = 0; c < 3; ++c) {
     const Faces faces(finest, boundaries, c);

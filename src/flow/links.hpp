@@ -33,7 +33,8 @@ struct Friction {
 /// with n the unit normal. Box faces: a no-slip wall half a cell away adds e_t, slip takes e_t off.
 /// Second order in the mean; a throat under 4 cells is off by more than 3 %.
 /// Tests: verification/sphere_arrays, verification/cylinder_arrays.
-Friction link_to_surface(Level& finest, const Boundaries& boundaries, const SignedDistance& distance);
+Friction link_to_surface(Level& finest, const Boundaries& boundaries,
+                         const SignedDistance& distance);
 
 /// Links on the pixel staircase itself: walls are voxel faces, W = 1.
 Friction link_to_voxels(Level& finest, const Boundaries& boundaries, const IsPore& is_pore);

@@ -32,8 +32,8 @@ void momentum_line(const Level& level, const Friction& friction, int i, int j, i
   const double gradient = c == 1 ? ay.gradient[jj] : c == 2 ? az.gradient[kk] : 0.0;
   const float* x_gradient = ax.gradient.data() + ii;
   const float* owned_x = (c == 0 ? ax.owned_face : ax.owned_cell).data() + ii;
-  const float owned_row = (c == 1 ? ay.owned_face : ay.owned_cell)[jj] *
-                          (c == 2 ? az.owned_face : az.owned_cell)[kk];
+  const float owned_row =
+      (c == 1 ? ay.owned_face : ay.owned_cell)[jj] * (c == 2 ? az.owned_face : az.owned_cell)[kk];
 #pragma omp simd
   for (int l = 0; l < width; ++l) {
     const double here = u[l];

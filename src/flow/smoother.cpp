@@ -72,7 +72,9 @@ void sweep(Level& level, bool reversed, bool from_zero) {
   const int second = 1 - first;
   const grid::Block& b = level.block;
   const auto velocity = [&](int lag, int margin, int colour) {
-    const auto work = [&level, colour](int k, RowRange rows) { relax_velocity(level, k, rows, colour); };
+    const auto work = [&level, colour](int k, RowRange rows) {
+      relax_velocity(level, k, rows, colour);
+    };
     return Stage<decltype(work)>{lag, reach(b, 2, margin, true), reach(b, 1, margin, true), work};
   };
   const auto push = [&](int lag, int margin, int colour) {

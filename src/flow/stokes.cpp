@@ -60,7 +60,9 @@ Real StokesSolver::force_scale(const Drive& drive) const {
 namespace {
 
 /// Global index along an axis of a local one.
-int global(const grid::Block& b, int axis, int local) { return local + b.start[axis]; }
+int global(const grid::Block& b, int axis, int local) {
+  return local + b.start[axis];
+}
 
 }  // namespace
 
@@ -99,7 +101,8 @@ Packed<double> StokesSolver::right_hand_side(const Drive& drive) const {
         if (boundaries_.at(a, high) == FaceKind::velocity && outermost &&
             level.inverse_diagonal[a][inner] != 0) {
           const Real value = drive.face_value[2 * a + (high ? 1 : 0)] / velocity_unit;
-          b[at] += (high ? -1 : 1) * value * level.axis[a].divergence[index[a] + level.axis[a].offset];
+          b[at] +=
+              (high ? -1 : 1) * value * level.axis[a].divergence[index[a] + level.axis[a].offset];
         }
       }
     }

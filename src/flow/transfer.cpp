@@ -2,6 +2,8 @@
 #include "flow/transfer.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <numeric>
 
 namespace porefines::flow {
@@ -22,8 +24,7 @@ struct Sources {
 };
 
 /// Fine indices along an axis whose values make coarse index I.
-/// @param in_plane  only the fine face that lies on the coarse one
-Sources restriction_sources(const AxisTransfer& t, int I, bool normal, int fine_cells, bool in_plane) {
+Sources restriction_sources(const AxisTransfer& t, int I, bool normal, int fine_cells) {
   Sources s;
   if (!normal) {
     s.add(2 * I, t.cell_first[I]);
@@ -31,9 +32,9 @@ Sources restriction_sources(const AxisTransfer& t, int I, bool normal, int fine_
     return s;
   }
   const int middle = std::min(2 * I, fine_cells);  // an odd last block ends at an odd face
-  s.add(middle - 1, in_plane ? 0.0F : t.face_before[I]);
+  s.add(middle - 1, t.face_before[I]);
   s.add(middle, t.face_middle[I]);
-  s.add(middle + 1, in_plane ? 0.0F : t.face_after[I]);
+  s.add(middle + 1, t.face_after[I]);
   return s;
 }
 
@@ -65,14 +66,26 @@ void combine(const grid::Block& b, const Floats& field, const Sources& rows, con
   for (int kk = 0; kk < planes.count; ++kk) {
     for (int jj = 0; jj < rows.count; ++jj) {
       const float w = rows.weight[jj] * planes.weight[kk];
-      const float* from = field.data() + b.at(offset[0], rows.index[jj] + offset[1],
-                                              planes.index[kk] + offset[2]);
+      const float* from =
+          field.data() + b.at(offset[0], rows.index[jj] + offset[1], planes.index[kk] + offset[2]);
 #pragma omp simd
       for (int i = first; i < last; ++i) {
         row[i] += w * from[i];
       }
     }
   }
+}
+
+/// Geometric mean of the arithmetic and the harmonic mean of two half volumes, given their shares of
+/// the arithmetic mean. Closed in the middle: 0, for such a face would lead into cells that are all
+/// grain. Closed on both outer sides: the middle alone.
+float mean_along(float middle, float outer) {
+  if (middle <= 0) {
+    return 0;
+  }
+  const float arithmetic = middle + outer;
+  const float harmonic = outer > 0 ? 4 * middle * outer / (middle + outer) : 2 * middle;
+  return std::sqrt(arithmetic * harmonic);
 }
 
 }  // namespace
@@ -98,19 +111,31 @@ Transfer::Transfer(const par::Communicator& comm, const Level& fine, const Level
   }
 }
 
-void Transfer::restrict_faces(int component, const Floats& fine_field, const Level& fine, Floats& out,
-                              const Level& coarse, bool in_plane) const {
+void Transfer::restrict_faces(int component, const Floats& fine_field, const Level& fine,
+                              Floats& out, const Level& coarse, Planes wanted) const {
   const grid::Block& f = fine.block;
+  AxisTransfer chosen = axis_[component];
+  const auto leave_out = [&](Planes plane, std::vector<float>& weights) {
+    if (wanted != Planes::all && wanted != plane) {
+      std::fill(weights.begin(), weights.end(), 0.0F);
+    }
+  };
+  leave_out(Planes::before, chosen.face_before);
+  leave_out(Planes::middle, chosen.face_middle);
+  leave_out(Planes::after, chosen.face_after);
+  const auto axis = [&](int a) -> const AxisTransfer& {
+    return a == component ? chosen : axis_[a];
+  };
   std::vector<float> buffer(static_cast<std::size_t>(f.n[0]) + 4, 0.0F);
   float* row = buffer.data() + 1;
   const int count = coarse_count(f, 0, component == 0);
   for (int K = 0; K < coarse_count(f, 2, component == 2); ++K) {
-    const Sources planes = restriction_sources(axis_[2], K, component == 2, f.n[2], in_plane);
+    const Sources planes = restriction_sources(axis(2), K, component == 2, f.n[2]);
     for (int J = 0; J < coarse_count(f, 1, component == 1); ++J) {
-      const Sources rows = restriction_sources(axis_[1], J, component == 1, f.n[1], in_plane);
+      const Sources rows = restriction_sources(axis(1), J, component == 1, f.n[1]);
       combine(f, fine_field, rows, planes, {0, 0, 0}, -1, f.n[0] + 2, row);
       float* to = out.data() + coarse.block.at(offset_[0], J + offset_[1], K + offset_[2]);
-      const AxisTransfer& t = axis_[0];
+      const AxisTransfer& t = axis(0);
       if (component != 0) {
         for (int I = 0; I < count; ++I) {
           to[I] = t.cell_first[I] * row[2 * I] + t.cell_second[I] * row[2 * I + 1];
@@ -119,10 +144,8 @@ void Transfer::restrict_faces(int component, const Floats& fine_field, const Lev
       }
       for (int I = 0; I < count; ++I) {
         const int middle = std::min(2 * I, f.n[0]);
-        to[I] = t.face_middle[I] * row[middle];
-        if (!in_plane) {
-          to[I] += t.face_before[I] * row[middle - 1] + t.face_after[I] * row[middle + 1];
-        }
+        to[I] = t.face_before[I] * row[middle - 1] + t.face_middle[I] * row[middle] +
+                t.face_after[I] * row[middle + 1];
       }
     }
   }
@@ -132,9 +155,9 @@ void Transfer::restrict_cells(const Level& fine, Level& coarse) const {
   const grid::Block& f = fine.block;
   std::vector<float> row(static_cast<std::size_t>(f.n[0]) + 2, 0.0F);
   for (int K = 0; K < coarse_count(f, 2, false); ++K) {
-    const Sources planes = restriction_sources(axis_[2], K, false, f.n[2], false);
+    const Sources planes = restriction_sources(axis_[2], K, false, f.n[2]);
     for (int J = 0; J < coarse_count(f, 1, false); ++J) {
-      const Sources rows = restriction_sources(axis_[1], J, false, f.n[1], false);
+      const Sources rows = restriction_sources(axis_[1], J, false, f.n[1]);
       combine(f, fine.rg, rows, planes, {0, 0, 0}, 0, f.n[0], row.data());
       float* to = coarse.g.data() + coarse.block.at(offset_[0], J + offset_[1], K + offset_[2]);
       for (int I = 0; I < coarse_count(f, 0, false); ++I) {
@@ -149,12 +172,13 @@ void Transfer::restrict_mobility(Level& fine, Level& coarse) const {
     for (std::size_t at = 0; at < fine.block.size; ++at) {
       fine.r[a][at] = fine.mobility[a][at] * (fine.weighted() ? fine.weight[a][at] : 1.0F);
     }
-    restrict_faces(a, fine.r[a], fine, coarse.mobility[a], coarse, false);
-    // A coarse face is open where one of the fine faces in its plane is: else it would lead into
-    // cells that are all grain.
-    restrict_faces(a, fine.r[a], fine, coarse.f[a], coarse, true);
+    restrict_faces(a, fine.r[a], fine, coarse.u[a], coarse, Planes::before);
+    restrict_faces(a, fine.r[a], fine, coarse.f[a], coarse, Planes::middle);
+    restrict_faces(a, fine.r[a], fine, coarse.r[a], coarse, Planes::after);
+    std::transform(coarse.u[a].begin(), coarse.u[a].end(), coarse.r[a].begin(), coarse.u[a].begin(),
+                   std::plus<>());  // both outer planes: half of the control volume
     for (std::size_t at = 0; at < coarse.block.size; ++at) {
-      coarse.mobility[a][at] = coarse.f[a][at] > 0 ? coarse.mobility[a][at] : 0.0F;
+      coarse.mobility[a][at] = mean_along(coarse.f[a][at], coarse.u[a][at]);
     }
   }
   gather({coarse.mobility[0].data(), coarse.mobility[1].data(), coarse.mobility[2].data()}, coarse);
@@ -180,15 +204,17 @@ void Transfer::link_levels(Level& fine, Level& coarse) const {
       }
     }
     std::transform(coarse.mobility[a].begin(), coarse.mobility[a].end(),
-                   coarse.inverse_mobility[a].begin(), [](float m) { return m > 0 ? 1 / m : 0.0F; });
+                   coarse.inverse_mobility[a].begin(),
+                   [](float m) { return m > 0 ? 1 / m : 0.0F; });
   }
-  const std::array<float*, 3> fields{fine.carry[0].data(), fine.carry[1].data(), fine.carry[2].data()};
+  const std::array<float*, 3> fields{fine.carry[0].data(), fine.carry[1].data(),
+                                     fine.carry[2].data()};
   fine.halo.exchange(fields, 1);
 }
 
 void Transfer::restrict_residual(const Level& fine, Level& coarse) const {
   for (int a = 0; a < 3; ++a) {
-    restrict_faces(a, fine.r[a], fine, coarse.f[a], coarse, false);
+    restrict_faces(a, fine.r[a], fine, coarse.f[a], coarse, Planes::all);
   }
   restrict_cells(fine, coarse);
   gather({coarse.f[0].data(), coarse.f[1].data(), coarse.f[2].data(), coarse.g.data()}, coarse);
@@ -301,10 +327,10 @@ void Transfer::gather(std::vector<float*> fields, const Level& coarse) const {
     }
   };
   float* buffer = all.data() + starts[rank_];
-  visit(parts_[rank_], [&](const float* row, int width) {
-    buffer = std::copy(row, row + width, buffer);
-  });
-  MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_FLOAT, all.data(), counts.data(), starts.data(), MPI_FLOAT, comm_);
+  visit(parts_[rank_],
+        [&](const float* row, int width) { buffer = std::copy(row, row + width, buffer); });
+  MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_FLOAT, all.data(), counts.data(), starts.data(), MPI_FLOAT,
+                 comm_);
   const float* from = all.data();
   for (const Part& part : parts_) {
     visit(part, [&](float* row, int width) {

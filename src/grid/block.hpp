@@ -18,18 +18,22 @@ inline constexpr int line_width = 16;
 /// block ends at a non-periodic boundary, face n is that boundary. Memory runs along x; rows are
 /// padded to whole lines of 16 values, the first of which starts at x index -ghost[0].
 struct Block {
-  Int3 global{1, 1, 1};             ///< cells of the whole grid
-  Int3 start{0, 0, 0};              ///< global index of local cell 0
-  Int3 n{1, 1, 1};                  ///< cells owned
-  Int3 ghost{1, 1, 1};              ///< ghost layers
-  std::array<bool, 3> owns_end{};   ///< owns face n: the block ends at a non-periodic boundary
-  std::ptrdiff_t sy = 0;            ///< memory stride of y
-  std::ptrdiff_t sz = 0;            ///< memory stride of z
-  std::ptrdiff_t origin = 0;        ///< memory position of cell (0, 0, 0)
-  std::size_t size = 0;             ///< values per field
+  Int3 global{1, 1, 1};            ///< cells of the whole grid
+  Int3 start{0, 0, 0};             ///< global index of local cell 0
+  Int3 n{1, 1, 1};                 ///< cells owned
+  Int3 ghost{1, 1, 1};             ///< ghost layers
+  std::array<bool, 3> owns_end{};  ///< owns face n: the block ends at a non-periodic boundary
+  std::ptrdiff_t sy = 0;           ///< memory stride of y
+  std::ptrdiff_t sz = 0;           ///< memory stride of z
+  std::ptrdiff_t origin = 0;       ///< memory position of cell (0, 0, 0)
+  std::size_t size = 0;            ///< values per field
 
-  [[nodiscard]] std::ptrdiff_t at(int i, int j, int k) const { return origin + i + sy * j + sz * k; }
-  [[nodiscard]] std::ptrdiff_t stride(int axis) const { return axis == 0 ? 1 : axis == 1 ? sy : sz; }
+  [[nodiscard]] std::ptrdiff_t at(int i, int j, int k) const {
+    return origin + i + sy * j + sz * k;
+  }
+  [[nodiscard]] std::ptrdiff_t stride(int axis) const {
+    return axis == 0 ? 1 : axis == 1 ? sy : sz;
+  }
   [[nodiscard]] int lines() const { return static_cast<int>(sy / line_width); }
   /// Parity (0 or 1) of local index sum (i + j + k) = 0 in global indices: colours agree across ranks.
   [[nodiscard]] int parity() const { return (start[0] + start[1] + start[2]) & 1; }

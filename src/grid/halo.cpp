@@ -13,7 +13,8 @@ struct Region {
   Int3 first;
   Int3 last;
   [[nodiscard]] std::size_t count() const {
-    return static_cast<std::size_t>(last[0] - first[0]) * (last[1] - first[1]) * (last[2] - first[2]);
+    return static_cast<std::size_t>(last[0] - first[0]) * (last[1] - first[1]) *
+           (last[2] - first[2]);
   }
 };
 
@@ -39,7 +40,8 @@ void for_rows(const Region& r, const Move& move) {
   }
 }
 
-void pack(const Block& b, const Region& r, std::span<float* const> fields, std::vector<float>& out) {
+void pack(const Block& b, const Region& r, std::span<float* const> fields,
+          std::vector<float>& out) {
   out.resize(r.count() * fields.size());
   float* to = out.data();
   const int width = r.last[0] - r.first[0];

@@ -32,7 +32,7 @@ class Halo {
 
   MPI_Comm comm_;
   Block block_;
-  std::array<int, 3> low_{};   ///< neighbour ranks; MPI_PROC_NULL at a boundary
+  std::array<int, 3> low_{};  ///< neighbour ranks; MPI_PROC_NULL at a boundary
   std::array<int, 3> high_{};
   std::array<bool, 3> wraps_{};  ///< periodic and not cut: a copy within the block
   std::array<std::vector<float>, 4> buffer_;

@@ -14,7 +14,9 @@ Int3 Decomposition::coordinates(int rank) const {
   return {rank % ranks[0], (rank / ranks[0]) % ranks[1], rank / (ranks[0] * ranks[1])};
 }
 
-int Decomposition::rank_at(const Int3& c) const { return c[0] + ranks[0] * (c[1] + ranks[1] * c[2]); }
+int Decomposition::rank_at(const Int3& c) const {
+  return c[0] + ranks[0] * (c[1] + ranks[1] * c[2]);
+}
 
 Int3 Decomposition::start(int rank) const {
   const Int3 c = coordinates(rank);
@@ -120,17 +122,19 @@ Decomposition decompose(const Int3& cells, int size, const LayerWork& work,
   d.cells = cells;
   d.ranks = forced ? *forced : choose_ranks(cells, size);
   if (forced && product(*forced) != size) {
-    throw InputError(fmt::format("[grid] decomposition: {} x {} x {} blocks for {} ranks; try \"auto\"",
-                                 d.ranks[0], d.ranks[1], d.ranks[2], size));
+    throw InputError(
+        fmt::format("[grid] decomposition: {} x {} x {} blocks for {} ranks; try \"auto\"",
+                    d.ranks[0], d.ranks[1], d.ranks[2], size));
   }
   if (d.ranks[0] == 0 || !fits(cells, d.ranks)) {
     Index most = 1;
     for (int a = 0; a < 3; ++a) {
       most *= std::max(1, cells[a] / smallest_block);
     }
-    throw InputError(fmt::format("{} x {} x {} cells cannot be cut into {} blocks of at least {} cells "
-                                 "a side; try fewer ranks (at most {})",
-                                 cells[0], cells[1], cells[2], size, smallest_block, most));
+    throw InputError(
+        fmt::format("{} x {} x {} cells cannot be cut into {} blocks of at least {} cells "
+                    "a side; try fewer ranks (at most {})",
+                    cells[0], cells[1], cells[2], size, smallest_block, most));
   }
   d.alignment = size == 1 ? 1 << 20 : choose_alignment(cells, d.ranks);
   for (int a = 0; a < 3; ++a) {
