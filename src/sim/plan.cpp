@@ -16,12 +16,12 @@
 namespace porefines::sim {
 namespace {
 
-// Measured with peak_memory() on one rank; see estimate_memory.
-constexpr Real base_bytes = 100e6;  ///< MPI, libraries, code
-constexpr Real dense_bytes = 130;   ///< per cell, padding of the rows included apart
-constexpr Real packed_bytes = 192;  ///< per cell in an active line: 3 double, 6 float vectors of 4
-constexpr Real voxel_bytes = 3;     ///< per voxel of an image: grey, cleaned, components
-constexpr Real distance_bytes = 4;  ///< per voxel: the smooth distance, while links are made
+// Fitted to peak_memory(): empty 64^3 and 128^3, Berea 200^3, a chip of 624 x 450 x 10 cells.
+constexpr Real base_bytes = 75e6;    ///< MPI, libraries, code
+constexpr Real dense_bytes = 105;    ///< per cell, ghosts and padding of the rows counted too
+constexpr Real packed_bytes = 290;   ///< per cell in an active line: Krylov vectors
+constexpr Real voxel_bytes = 1;      ///< per voxel of an image, as long as it is held
+constexpr Real distance_bytes = 28;  ///< per voxel while distances are found, before the solve
 
 /// Cells with the padding of the rows and the ghosts around the box.
 Real padded_cells(const Int3& n) {
@@ -75,8 +75,9 @@ Real estimate_memory(const geom::Sample& sample, const Domain& domain, const Pro
   const auto cells = static_cast<Real>(product(domain.cells));
   const Real voxels =
       sample.spec.kind == geom::Kind::image ? static_cast<Real>(product(sample.voxels.n)) : 0;
-  return ranks * base_bytes + dense_bytes * padded_cells(domain.cells) +
-         packed_bytes * cells * probe.active_share + (voxel_bytes + distance_bytes) * voxels;
+  const Real solve =
+      dense_bytes * padded_cells(domain.cells) + packed_bytes * cells * probe.active_share;
+  return ranks * base_bytes + voxel_bytes * voxels + std::max(solve, distance_bytes * voxels);
 }
 
 Plan make_plan(const config::Case& the_case, const geom::Sample& sample, const Domain& domain,
@@ -99,13 +100,16 @@ Plan make_plan(const config::Case& the_case, const geom::Sample& sample, const D
 
 Real estimate_seconds(const config::Case& the_case, const Plan& plan,
                       const par::Communicator& comm) {
-  constexpr Real bytes_per_cell = 1500;  // moved per active cell and cycle
-  constexpr Real setup_cycles = 6;       // links, mobility, output
-  const Real cycles = setup_cycles - 2 * std::log10(the_case.flow.tolerance);
+  constexpr Real setup_bytes = 20e3;   // moved per cell for links, mobility, coarse grids
+  constexpr Real cycle_bytes = 2.5e3;  // and per active cell in a cycle
+  constexpr Real fixed = 0.5;          // [s] start, pictures
+  const Real cycles = -2 * std::log10(the_case.flow.tolerance);
   const auto& periodic = the_case.flow.periodic;
   const auto solves = the_case.flow.tensor ? std::count(periodic.begin(), periodic.end(), true) : 1;
-  return static_cast<Real>(plan.active_cells) * cycles * static_cast<Real>(solves) *
-         bytes_per_cell / measure_bandwidth(comm);
+  const Real bytes =
+      setup_bytes * static_cast<Real>(plan.cells) +
+      cycle_bytes * cycles * static_cast<Real>(solves) * static_cast<Real>(plan.active_cells);
+  return fixed + bytes / measure_bandwidth(comm);
 }
 
 void require_memory(const config::Case& the_case, const Plan& plan, const Domain& domain,

@@ -24,11 +24,11 @@ struct Plan {
 
 /// Peak memory of all ranks together [bytes].
 ///
-///     ranks base + dense cells + packed active cells + voxel image voxels
+///     ranks base + voxel voxels + max(dense cells + packed active cells, distance voxels)
 ///
 /// `dense` counts the fields of all multigrid levels, `packed` the Krylov vectors, which leave out
-/// lines of solid. Constants are measured (docs/performance of this machine): within 15 % for 64^3
-/// to 200^3 cells, open boxes, rock and chips. Test: cli/plan.
+/// lines of solid. Constants are fitted: within 5 % for open boxes of 64^3 and 128^3, Berea of
+/// 200^3, a chip of 624 x 450 x 10. Test: cli/permeability.
 [[nodiscard]] Real estimate_memory(const geom::Sample& sample, const Domain& domain,
                                    const Probe& probe, int ranks);
 
@@ -36,8 +36,8 @@ struct Plan {
 [[nodiscard]] Plan make_plan(const config::Case& the_case, const geom::Sample& sample,
                              const Domain& domain, const Probe& probe, int ranks);
 
-/// Wall time of the solve [s]: active cells x cycles at the rate of this machine, which a short
-/// sweep over memory on all ranks at once finds out. Collective, a tenth of a second.
+/// Wall time of the run [s]: bytes to move at the rate of this machine, which a short sweep over
+/// memory on all ranks at once finds out. Good to a factor of two. Collective, a tenth of a second.
 [[nodiscard]] Real estimate_seconds(const config::Case& the_case, const Plan& plan,
                                     const par::Communicator& comm);
 

@@ -20,12 +20,13 @@ namespace porefines::sim {
 struct RunFacts {
   Porosity porosity;
   Index fluid_cells = 0;
-  Real wall_time = 0;    ///< [s]
-  Real peak_memory = 0;  ///< [bytes] all ranks together
+  Real wall_time = 0;       ///< [s]
+  Real peak_memory = 0;     ///< [bytes] all ranks together
+  Real planned_memory = 0;  ///< [bytes] what the plan said
   io::Provenance provenance;
 };
 
-/// summary.json: flat, SI, the keys of docs/summary.md; drag only where it has a meaning: round
+/// summary.json: flat, SI, the keys of the interface and a few more; drag only where it has a meaning: round
 /// grains in a box with nothing but periodic and slip faces.
 [[nodiscard]] Json summarise(const config::Case& the_case, const geom::Sample& sample,
                              const Domain& domain, const SteadyFlow& flow, const RunFacts& facts);

@@ -201,6 +201,7 @@ int run(const config::Case& the_case, const RunOptions& options) {
   facts.porosity = measure_porosity(sample, domain, solver.block(), solid, comm);
   facts.fluid_cells = solver.fluid_cells();
   facts.peak_memory = comm.sum(static_cast<Real>(peak_memory()));
+  facts.planned_memory = plan.memory;
   facts.wall_time = watch.seconds();
   facts.provenance = provenance;
   on_root(comm, [&] {

@@ -35,7 +35,7 @@ struct SteadyFlow {
 ///
 /// Periodic:  k = mu U / G with the mean gradient G.
 /// Openings:  k = mu (Q/A) L / dp between the planes where the sample begins and ends.
-/// @param say_progress  show it on stderr (rank 0)
+/// Progress is shown on stderr by rank 0; a signal on any rank ends the solve between two cycles.
 /// @throws RunError  no convergence within max_cycles, or numbers that are no longer finite
 /// Tests: cli/permeability, validation/sphere_arrays.
 [[nodiscard]] SteadyFlow solve_steady_flow(const config::Case& the_case, const Domain& domain,
