@@ -9,6 +9,7 @@ namespace porefines::flow {
 namespace {
 
 constexpr int lanes = grid::line_width;
+constexpr Real vanishing = 1e-10;  ///< share of a direction's square that float can still tell
 constexpr Real little_gain = 0.7;  ///< a cycle that leaves more than this of the residual
 
 /// Sum of products with one accumulator per lane: vectorised, and the same on every run.
@@ -138,6 +139,11 @@ SolveReport solve_gcr(const par::Communicator& comm, Hierarchy& hierarchy, Opera
     for (std::size_t s = 0; s < kept.size(); ++s) {
       beta.push_back(static_cast<float>(dots[2 + s] / kept[s].norm_squared));
       newest.norm_squared -= dots[2 + s] * dots[2 + s] / kept[s].norm_squared;
+    }
+    if (newest.norm_squared < vanishing * dots[0]) {  // nothing new in this direction
+      kept.clear();
+      beta.clear();
+      newest.norm_squared = dots[0];
     }
     const Real alpha = dots[1] / newest.norm_squared;
     const Real before = size;

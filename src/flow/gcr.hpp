@@ -18,8 +18,9 @@ struct SolveOptions {
 };
 
 struct SolveReport {
-  int cycles = 0;
-  Real residual = 0;  ///< relative, recomputed from the solution in double precision
+  int cycles = 0;       ///< until the residual fell below the tolerance
+  int flux_cycles = 0;  ///< further ones until the flux agreed from plane to plane
+  Real residual = 0;    ///< relative, recomputed from the solution in double precision
   bool converged = false;
 };
 

@@ -12,6 +12,11 @@ namespace {
 
 constexpr Real shortest_link = 0.02;  ///< cells
 
+struct Link {
+  Real excess;
+  Real weight;
+};
+
 /// Walks the faces of one component, ghosts included, where the grid or its periodic images exist.
 class Faces {
  public:
@@ -63,27 +68,32 @@ class Faces {
     }
   }
 
-  /// Friction of the box walls parallel to this component: +e for a wall, -e for slip.
-  [[nodiscard]] Real box_friction(int i, int j, int k) const {
+  /// What the box walls parallel to this component do to a face: a half-cell link on every side with
+  /// a no-slip wall (friction +e, weight as for a grain surface there), -e for slip.
+  [[nodiscard]] Link box_link(int i, int j, int k) const {
     const Int3 index{i, j, k};
-    Real excess = 0;
+    Link link{0, 1};
     for (int a = 0; a < 3; ++a) {
       if (a == component_ || boundaries_.periodic(a)) {
         continue;
       }
       const int here = index[a] + level_.block.start[a];
       const auto& axis = level_.axis[a];
-      const auto wall = [&](bool high, float e) {
-        excess += boundaries_.at(a, high) == FaceKind::slip ? -e : e;
+      Real reach = 1;  // mean link length across the wall
+      const auto meet = [&](bool high, float e) {
+        const FaceKind kind = boundaries_.at(a, high);
+        link.excess += kind == FaceKind::slip ? -e : e;
+        reach -= kind == FaceKind::wall ? 0.25 : 0;
       };
       if (here == 0) {
-        wall(false, axis.cell_low[index[a] + axis.offset]);
+        meet(false, axis.cell_low[index[a] + axis.offset]);
       }
       if (here == level_.block.global[a] - 1) {
-        wall(true, axis.cell_high[index[a] + axis.offset]);
+        meet(true, axis.cell_high[index[a] + axis.offset]);
       }
+      link.weight = std::min(link.weight, (1 + reach) / 2);
     }
-    return excess;
+    return link;
   }
 
   /// Off-diagonals of the row along an axis: {low, high}.
@@ -115,11 +125,6 @@ Real wall_fraction(Real s0, Real half, Real s1) {
   }
   return std::max(theta, shortest_link);
 }
-
-struct Link {
-  Real excess;
-  Real weight;
-};
 
 /// Links of one face near a grain: wall friction and link weight.
 Link link_face(const Faces& faces, const SignedDistance& s, const Int3& index, const Vec3& x,
@@ -193,7 +198,8 @@ Friction link_to_surface(Level& finest, const Boundaries& boundaries,
       if (s0 < far) {
         link = link_face(faces, distance, {i, j, k}, x, s0);
       }
-      link.excess += faces.box_friction(i, j, k);
+      const Link box = faces.box_link(i, j, k);
+      link = {link.excess + box.excess, std::min(link.weight, box.weight)};
       set_face(finest, friction, faces, c, {i, j, k}, link);
     });
   }
@@ -217,7 +223,7 @@ Friction link_to_voxels(Level& finest, const Boundaries& boundaries, const IsPor
       if (pores({i, j, k}) < 2) {
         return;
       }
-      Link link{faces.box_friction(i, j, k), 1};
+      Link link{faces.box_link(i, j, k).excess, 1};
       for (int t = 0; t < 3; ++t) {
         if (t == c) {
           continue;  // a closed face one cell ahead: u = 0 at distance 1

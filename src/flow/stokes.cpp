@@ -146,12 +146,45 @@ Real StokesSolver::reference_norm(const Drive& drive, const Packed<double>& b) c
 }
 
 SolveReport StokesSolver::solve(const Drive& drive, SolveOptions options) {
+  constexpr Real tightest = 1e-10;
   drive_ = drive;
   scale_ = force_scale(drive);
   const Packed<double> b = right_hand_side(drive);
   x_ = first_guess(drive);
   options.reference = reference_norm(drive, b);
-  return solve_gcr(comm_, hierarchy_, *operator_, b, x_, options);
+  SolveReport report = solve_gcr(comm_, hierarchy_, *operator_, b, x_, options);
+  while (report.converged && report.residual > tightest && flux_variation() > flux_tolerance) {
+    options.tolerance = report.residual / 4;
+    const SolveReport more = solve_gcr(comm_, hierarchy_, *operator_, b, x_, options);
+    report.flux_cycles += more.cycles;
+    report.residual = more.residual;
+    if (!more.converged) {
+      break;  // the residual asked for is met; the flux is as good as it gets
+    }
+  }
+  return report;
+}
+
+/// Of the strongest flux among the axes; 0 where fluid may leave sideways and fluxes need not agree.
+Real StokesSolver::flux_variation() const {
+  const auto opens = [&](int a) {
+    const auto given = [](FaceKind k) {
+      return k == FaceKind::pressure || k == FaceKind::velocity;
+    };
+    return given(boundaries_.at(a, false)) || given(boundaries_.at(a, true));
+  };
+  Real strongest = 0;
+  Real variation = 0;
+  for (int a = 0; a < 3; ++a) {
+    const std::vector<Real> flux = plane_fluxes(a);
+    const auto [low, high] = std::minmax_element(flux.begin(), flux.end());
+    const Real size = std::max(std::abs(*low), std::abs(*high));
+    if (size > strongest) {
+      strongest = size;
+      variation = opens((a + 1) % 3) || opens((a + 2) % 3) ? 0 : (*high - *low) / size;
+    }
+  }
+  return variation;
 }
 
 std::vector<Real> StokesSolver::plane_fluxes(int axis) const {

@@ -35,7 +35,12 @@ class StokesSolver {
   void set_surface(const std::function<Real(const Vec3&)>& distance);
   void set_voxels(const IsPore& is_pore);
 
-  /// Solves for one drive. options.reference is set here. Collective.
+  /// Largest relative difference of the flux between planes that a solve leaves.
+  static constexpr Real flux_tolerance = 1e-6;
+
+  /// Solves for one drive: to options.tolerance, and on until the flux is the same through all planes
+  /// to flux_tolerance (a tight rock passes so little that its flux weighs nothing in the residual).
+  /// options.reference is set here. Collective.
   SolveReport solve(const Drive& drive, SolveOptions options);
 
   /// [m^3/s] volume flux through every plane normal to an axis: faces 0 .. n. On every rank.
@@ -66,6 +71,7 @@ class StokesSolver {
   [[nodiscard]] Real reference_norm(const Drive& drive, const Packed<double>& b) const;
   [[nodiscard]] Real length(int axis) const { return spacing_[axis] * block().global[axis]; }
   [[nodiscard]] bool pressure_pair(int axis) const;
+  [[nodiscard]] Real flux_variation() const;
 
   par::Communicator comm_;
   Boundaries boundaries_;

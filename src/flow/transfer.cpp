@@ -76,16 +76,18 @@ void combine(const grid::Block& b, const Floats& field, const Sources& rows, con
   }
 }
 
-/// Geometric mean of the arithmetic and the harmonic mean of two half volumes, given their shares of
-/// the arithmetic mean. Closed in the middle: 0, for such a face would lead into cells that are all
-/// grain. Closed on both outer sides: the middle alone.
-float mean_along(float middle, float outer) {
+/// Geometric mean of the arithmetic and the harmonic mean of the middle and the outer planes of a
+/// control volume, given their shares of the arithmetic mean and the weight of the middle.
+/// Closed in the middle: 0, for such a face would lead into cells that are all grain. Closed, or
+/// absent, on both outer sides: the middle alone resists.
+float mean_along(float middle, float outer, float weight) {
   if (middle <= 0) {
     return 0;
   }
-  const float arithmetic = middle + outer;
-  const float harmonic = outer > 0 ? 4 * middle * outer / (middle + outer) : 2 * middle;
-  return std::sqrt(arithmetic * harmonic);
+  const float rest = 1 - weight;
+  const float resistance = weight * weight / middle + (outer > 0 ? rest * rest / outer : 0);
+  const float harmonic = outer > 0 ? 1 / resistance : middle / weight;
+  return std::sqrt((middle + outer) * harmonic);
 }
 
 }  // namespace
@@ -177,8 +179,15 @@ void Transfer::restrict_mobility(Level& fine, Level& coarse) const {
     restrict_faces(a, fine.r[a], fine, coarse.r[a], coarse, Planes::after);
     std::transform(coarse.u[a].begin(), coarse.u[a].end(), coarse.r[a].begin(), coarse.u[a].begin(),
                    std::plus<>());  // both outer planes: half of the control volume
-    for (std::size_t at = 0; at < coarse.block.size; ++at) {
-      coarse.mobility[a][at] = mean_along(coarse.f[a][at], coarse.u[a][at]);
+    const grid::Block& f = fine.block;
+    for (int K = 0; K < coarse_count(f, 2, a == 2); ++K) {
+      for (int J = 0; J < coarse_count(f, 1, a == 1); ++J) {
+        for (int I = 0; I < coarse_count(f, 0, a == 0); ++I) {
+          const std::ptrdiff_t at = coarse.block.at(I + offset_[0], J + offset_[1], K + offset_[2]);
+          const float weight = axis_[a].face_middle[Int3{I, J, K}[a]];
+          coarse.mobility[a][at] = mean_along(coarse.f[a][at], coarse.u[a][at], weight);
+        }
+      }
     }
   }
   gather({coarse.mobility[0].data(), coarse.mobility[1].data(), coarse.mobility[2].data()}, coarse);

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MPL-2.0
+// The flow does not depend on the number of ranks: one rank solves alone what all solve together.
+#include <gtest/gtest.h>
+
+#include "support/solve.hpp"
+
+namespace porefines::test {
+
+namespace {
+
+struct Answer {
+  Vec3 velocity;
+  int cycles;
+};
+
+Answer answer(const par::Communicator& comm, const Int3& cells, const Boundaries& boundaries,
+              const std::function<Real(const Vec3&)>& distance, const flow::Drive& drive) {
+  flow::StokesSolver solver(comm, even_cut(cells, comm.size()),
+                            {1.0 / cells[0], 1.0 / cells[0], 1.0 / cells[0]}, boundaries, 1.0);
+  solver.set_surface(distance);
+  const auto report = solver.solve(drive, {});
+  EXPECT_TRUE(report.converged);
+  return {solver.superficial_velocity(), report.cycles};
+}
+
+void expect_same(const Int3& cells, const Boundaries& boundaries,
+                 const std::function<Real(const Vec3&)>& distance, const flow::Drive& drive) {
+  const Answer alone = answer(par::Communicator::self(), cells, boundaries, distance, drive);
+  const Answer together = answer(par::Communicator(), cells, boundaries, distance, drive);
+  EXPECT_NEAR(together.velocity.x / alone.velocity.x, 1, 1e-6);
+  EXPECT_NEAR(together.cycles, alone.cycles, 1);
+}
+
+}  // namespace
+
+TEST(Ranks, periodic_spheres) {
+  // Too large for one gathered level, so that blocks are coarsened while spread over the ranks.
+  const auto spheres = sphere_lattice(face_centred, sphere_radius(0.3, 4), {0.013, 0.007, 0.021});
+  expect_same({48, 48, 48}, {}, spheres, along_x());
+}
+
+TEST(Ranks, odd_box_between_pressures) {
+  Boundaries b;
+  b.kind = {FaceKind::pressure, FaceKind::pressure, FaceKind::slip,
+            FaceKind::wall,     FaceKind::periodic, FaceKind::periodic};
+  flow::Drive drive;
+  drive.face_value[0] = 1;
+  const auto spheres = sphere_lattice(simple_cubic, 0.35);
+  expect_same({67, 45, 67}, b, spheres, drive);
+}
+
+TEST(Ranks, same_number_same_bits) {
+  const auto spheres = sphere_lattice(simple_cubic, 0.4);
+  const par::Communicator comm;
+  const Answer first = answer(comm, {40, 40, 40}, {}, spheres, along_x());
+  const Answer second = answer(comm, {40, 40, 40}, {}, spheres, along_x());
+  EXPECT_EQ(first.velocity, second.velocity);
+}
+
+}  // namespace porefines::test
