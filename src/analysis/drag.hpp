@@ -14,7 +14,7 @@ namespace porefines::analysis {
 /// G [Pa/m] is the mean pressure gradient and V [m^3] the whole box: the force on the fluid, G
 /// times its volume, and the push of the mean gradient on the bodies themselves, G times theirs.
 /// Holds where nothing else takes up force: periodic and slip faces only.
-/// Test: validation/sphere_arrays (Zick & Homsy 1982).
+/// Test: cli/permeability (Zick & Homsy 1982).
 [[nodiscard]] inline Real mean_drag(Real gradient, Real volume, Index bodies) {
   return gradient * volume / static_cast<Real>(bodies);
 }

@@ -27,8 +27,8 @@ struct Plan {
 ///     ranks base + voxel voxels + max(dense cells + packed active cells, distance voxels)
 ///
 /// `dense` counts the fields of all multigrid levels, `packed` the Krylov vectors, which leave out
-/// lines of solid. Constants are fitted: within 5 % for open boxes of 64^3 and 128^3, Berea of
-/// 200^3, a chip of 624 x 450 x 10. Test: cli/permeability.
+/// lines of solid. Constants are fitted to open boxes of 64^3 and 128^3, Berea of 200^3 and a
+/// chip of 624 x 450 x 10 on one rank; not fitted: the same chip on two ranks, 3 % low. Test: cli/permeability.
 [[nodiscard]] Real estimate_memory(const geom::Sample& sample, const Domain& domain,
                                    const Probe& probe, int ranks);
 
@@ -37,7 +37,7 @@ struct Plan {
                              const Domain& domain, const Probe& probe, int ranks);
 
 /// Wall time of the run [s]: bytes to move at the rate of this machine, which a short sweep over
-/// memory on all ranks at once finds out. Good to a factor of two. Collective, a tenth of a second.
+/// memory on all ranks at once finds out. Fitted on a loaded machine: an order of size. Collective, a tenth of a second.
 [[nodiscard]] Real estimate_seconds(const config::Case& the_case, const Plan& plan,
                                     const par::Communicator& comm);
 

@@ -37,7 +37,7 @@ struct SteadyFlow {
 /// Openings:  k = mu (Q/A) L / dp between the planes where the sample begins and ends.
 /// Progress is shown on stderr by rank 0; a signal on any rank ends the solve between two cycles.
 /// @throws RunError  no convergence within max_cycles, or numbers that are no longer finite
-/// Tests: cli/permeability, validation/sphere_arrays.
+/// Tests: cli/permeability.
 [[nodiscard]] SteadyFlow solve_steady_flow(const config::Case& the_case, const Domain& domain,
                                            flow::StokesSolver& solver,
                                            const par::Communicator& comm);
