@@ -93,7 +93,7 @@ Real step(Direction& newest, const std::deque<Direction>& kept, const std::vecto
 }  // namespace
 
 SolveReport solve_gcr(const par::Communicator& comm, Hierarchy& hierarchy, Operator& k,
-                      const Packed<double>& b, Packed<double>& x, const SolveOptions& options) {
+                      const Packed<float>& b, Packed<double>& x, const SolveOptions& options) {
   Packed<double> r(k.size());
   k.residual(b, x, r);
   Real size = norm(comm, r);
@@ -105,11 +105,11 @@ SolveReport solve_gcr(const par::Communicator& comm, Hierarchy& hierarchy, Opera
   while (true) {
     report.residual = reference > 0 ? size / reference : 0;
     if (report.residual <= options.tolerance && !exact) {
+      kept.clear();  // before the residual needs room of its own
       k.residual(b, x, r);
       size = norm(comm, r);
       exact = true;
       stalled = false;
-      kept.clear();
       continue;
     }
     report.converged = report.residual <= options.tolerance;

@@ -12,7 +12,7 @@ struct SolveOptions {
   Real tolerance = 1e-6;  ///< of the residual norm, relative to `reference`
   Real reference = 0;     ///< norm that 1 stands for; 0: norm of the first residual
   int max_cycles = 200;
-  int directions = 2;                                      ///< previous search directions kept
+  int directions = 1;                                      ///< previous search directions kept
   std::function<void(int cycle, Real residual)> progress;  ///< called on every rank
   std::function<bool()> interrupted;                       ///< asked on every rank, same answer
 };
@@ -37,8 +37,8 @@ struct SolveReport {
 /// about 1e-7, the true residual is recomputed before convergence is claimed and, where needed,
 /// the iteration goes on from it: any tolerance down to 1e-12 can be asked for.
 /// Eisenstat, Elman & Schultz, SIAM J. Numer. Anal. 20 (1983) 345-357.
-/// Two reductions per cycle; collective.
+/// b is float: a relative change of the drive by 6e-8 at most. Two reductions per cycle; collective.
 SolveReport solve_gcr(const par::Communicator& comm, Hierarchy& hierarchy, Operator& k,
-                      const Packed<double>& b, Packed<double>& x, const SolveOptions& options);
+                      const Packed<float>& b, Packed<double>& x, const SolveOptions& options);
 
 }  // namespace porefines::flow

@@ -128,6 +128,11 @@ void Hierarchy::build() {
   solve_mobility();
   while (add_coarse_level()) {
   }
+  for (Level& level : levels_) {  // carry and inverse_mobility are what the cycle needs
+    for (Floats& field : level.mobility) {
+      field = {};
+    }
+  }
 }
 
 /// A M = W per component, by batches of over-relaxed sweeps until a batch changes the mean by little.

@@ -29,9 +29,14 @@ Level::Level(const par::Communicator& comm, const par::Decomposition& cut,
 }
 
 std::size_t Level::bytes() const {
-  const std::size_t fields = 19 + (weighted() ? 3 : 0);
-  return fields * block.size * sizeof(float) + lines.x.size() * sizeof(int) +
-         lines.row_first.size() * sizeof(int);
+  std::size_t values = push.size() + p.size() + g.size() + rg.size();
+  for (const Floats3* fields :
+       {&inverse_diagonal, &weight, &mobility, &inverse_mobility, &carry, &u, &f, &r}) {
+    for (const Floats& field : *fields) {
+      values += field.size();
+    }
+  }
+  return values * sizeof(float) + (lines.x.size() + lines.row_first.size()) * sizeof(int);
 }
 
 void Level::exchange_unknowns(int depth) {

@@ -43,7 +43,7 @@ struct Level {
 
   Floats3 inverse_diagonal;  ///< 1/d, 0 at inactive faces
   Floats3 weight;            ///< W, finest level only
-  Floats3 mobility;          ///< M of A M = W; what coarse levels are made from
+  Floats3 mobility;          ///< M of A M = W; makes the coarse levels, then is released
   Floats3 inverse_mobility;  ///< 1/M, 0 at inactive faces; coarse levels only
   Floats3 carry;  ///< how velocity follows the coarse level: M, or 2 M where just one of the
                   ///< two coarse faces next to an odd face is open

@@ -111,7 +111,7 @@ void Operator::apply(Packed<T>& out) {
 template void Operator::apply<float>(Packed<float>&);
 template void Operator::apply<double>(Packed<double>&);
 
-void Operator::residual(const Packed<double>& b, const Packed<double>& x, Packed<double>& r) {
+void Operator::residual(const Packed<float>& b, const Packed<double>& x, Packed<double>& r) {
   Packed<float> part(size());
   Packed<double> image(size());
   for (std::size_t at = 0; at < size(); ++at) {

@@ -30,7 +30,7 @@ class Operator {
   void apply(Packed<T>& out);
 
   /// r = b - K x, with x split into two floats so that nothing is lost. Overwrites u and p.
-  void residual(const Packed<double>& b, const Packed<double>& x, Packed<double>& r);
+  void residual(const Packed<float>& b, const Packed<double>& x, Packed<double>& r);
 
   /// Right-hand side of the level = scale * v; zero elsewhere.
   template <typename T>

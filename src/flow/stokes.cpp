@@ -66,8 +66,8 @@ int global(const grid::Block& b, int axis, int local) {
 
 }  // namespace
 
-Packed<double> StokesSolver::right_hand_side(const Drive& drive) const {
-  Packed<double> b(operator_->size(), 0.0);
+Packed<float> StokesSolver::right_hand_side(const Drive& drive) const {
+  Packed<float> b(operator_->size(), 0.0F);
   const Level& level = hierarchy_.finest();
   const Real pressure_unit = scale_ * spacing_.x;
   const Real velocity_unit = scale_ * spacing_.x * spacing_.x / viscosity_;
@@ -80,15 +80,15 @@ Packed<double> StokesSolver::right_hand_side(const Drive& drive) const {
       const int total = level.block.global[c];
       const Real weight = level.weight[c][cell];
       const Real gradient = axis.gradient[index[c] + axis.offset];
-      b[at] = weight * drive.force[c] / scale_;
+      b[at] = static_cast<float>(weight * drive.force[c] / scale_);
       for (const bool high : {false, true}) {
         const FaceKind kind = boundaries_.at(c, high);
         const Real value = drive.face_value[2 * c + (high ? 1 : 0)];
         if (kind == FaceKind::pressure && here == (high ? total : 0)) {
-          b[at] += (high ? -1 : 1) * weight * gradient * value / pressure_unit;
+          b[at] += static_cast<float>((high ? -1 : 1) * weight * gradient * value / pressure_unit);
         } else if (kind == FaceKind::velocity && here == (high ? total - 1 : 1)) {
           const auto& e = high ? axis.face_high : axis.face_low;
-          b[at] += e[index[c] + axis.offset] * value / velocity_unit;
+          b[at] += static_cast<float>(e[index[c] + axis.offset] * value / velocity_unit);
         }
       }
       return;
@@ -127,7 +127,7 @@ Packed<double> StokesSolver::first_guess(const Drive& drive) const {
 
 /// Norm of the force that drives the flow, spread over the fluid: also for a pressure drop, whose
 /// right-hand side sits on one plane only. Residuals then mean the same for every kind of drive.
-Real StokesSolver::reference_norm(const Drive& drive, const Packed<double>& b) const {
+Real StokesSolver::reference_norm(const Drive& drive, const Packed<float>& b) const {
   Vec3 force = drive.force;
   bool spread = norm(force) > 0;
   for (int a = 0; a < 3; ++a) {
@@ -149,7 +149,7 @@ SolveReport StokesSolver::solve(const Drive& drive, SolveOptions options) {
   constexpr Real tightest = 1e-10;
   drive_ = drive;
   scale_ = force_scale(drive);
-  const Packed<double> b = right_hand_side(drive);
+  const Packed<float> b = right_hand_side(drive);
   x_ = first_guess(drive);
   options.reference = reference_norm(drive, b);
   SolveReport report = solve_gcr(comm_, hierarchy_, *operator_, b, x_, options);

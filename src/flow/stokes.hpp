@@ -66,9 +66,9 @@ class StokesSolver {
  private:
   void finish_setup(Friction friction);
   [[nodiscard]] Real force_scale(const Drive& drive) const;
-  [[nodiscard]] Packed<double> right_hand_side(const Drive& drive) const;
+  [[nodiscard]] Packed<float> right_hand_side(const Drive& drive) const;
   [[nodiscard]] Packed<double> first_guess(const Drive& drive) const;
-  [[nodiscard]] Real reference_norm(const Drive& drive, const Packed<double>& b) const;
+  [[nodiscard]] Real reference_norm(const Drive& drive, const Packed<float>& b) const;
   [[nodiscard]] Real length(int axis) const { return spacing_[axis] * block().global[axis]; }
   [[nodiscard]] bool pressure_pair(int axis) const;
   [[nodiscard]] Real flux_variation() const;
