@@ -12,7 +12,6 @@ namespace porefines::bench {
 namespace {
 
 constexpr Real micron = 1e-6;
-constexpr Real viscosity = 1.002e-3;
 
 struct Disc {
   Real x, y, radius;  ///< [cells]

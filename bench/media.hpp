@@ -8,6 +8,8 @@
 
 namespace porefines::bench {
 
+inline constexpr Real viscosity = 1.002e-3;  ///< [Pa s] of all media
+
 /// A geometry to measure on: fixed for all time, so that numbers of two days can be compared.
 struct Medium {
   std::string name;

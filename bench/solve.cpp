@@ -18,7 +18,7 @@ void solve(benchmark::State& state, const Medium& (*medium)()) {
   const par::Communicator comm;
   for (auto _ : state) {
     const auto start = std::chrono::steady_clock::now();
-    flow::StokesSolver solver(comm, cut(m, comm.size()), m.spacing, m.boundaries, 1.002e-3);
+    flow::StokesSolver solver(comm, cut(m, comm.size()), m.spacing, m.boundaries, viscosity);
     solver.set_surface(m.distance);
     const double setup = seconds_since(start);
     const flow::SolveReport report = solver.solve(m.drive, {});

@@ -20,6 +20,24 @@ std::string short_name(const benchmark::BenchmarkReporter::Run& run) {
   return run.run_name.function_name + (run.run_name.args.empty() ? "" : "/" + run.run_name.args);
 }
 
+/// What plain streams reached in this run [bytes/s]; 0 where one was not run.
+struct Streams {
+  double triad, update, read;
+};
+
+std::string share(double bytes, double of) {
+  return of > 0 ? fmt::format("{:.0f} %", 100 * bytes / of) : "-";
+}
+
+void print_row(const std::string& name, const benchmark::BenchmarkReporter::Run& run,
+               const Streams& streams) {
+  const double bytes = counter(run, "bytes_per_second");
+  const double cells = counter(run, "cells/s");
+  fmt::print("{:<24}{:>8.2f}{:>10}{:>11}{:>10}{:>10}\n", name, bytes / giga,
+             share(bytes, streams.triad), share(bytes, streams.update), share(bytes, streams.read),
+             cells > 0 ? fmt::format("{:.2f}", cells / 1e6) : "-");
+}
+
 }  // namespace
 
 void Fastest::ReportRuns(const std::vector<Run>& runs) {
@@ -44,30 +62,18 @@ void Fastest::print_ratios() const {
     const auto found = best_.find("stream/" + name);
     return found == best_.end() ? 0.0 : counter(found->second, "bytes_per_second");
   };
-  const double triad = stream("triad");
-  const double read = stream("read");
-  const double update = stream("update");
+  const Streams streams{stream("triad"), stream("update"), stream("read")};
   fmt::print("\nBytes that must move, per second and rank, against plain streams in this run:\n");
   fmt::print("{:<24}{:>8}{:>10}{:>11}{:>10}{:>10}\n", "", "GB/s", "of triad", "of update",
              "of read", "Mcells/s");
-  const auto share = [](double bytes, double of) {
-    return of > 0 ? fmt::format("{:.0f} %", 100 * bytes / of) : std::string("-");
-  };
-  const auto print = [&](const std::string& name, const Run& run) {
-    const double bytes = counter(run, "bytes_per_second");
-    const double cells = counter(run, "cells/s");
-    fmt::print("{:<24}{:>8.2f}{:>10}{:>11}{:>10}{:>10}\n", name, bytes / giga, share(bytes, triad),
-               share(bytes, update), share(bytes, read),
-               cells > 0 ? fmt::format("{:.2f}", cells / 1e6) : "-");
-  };
-  for (const bool streams : {true, false}) {
+  for (const bool plain : {true, false}) {
     for (const auto& [name, run] : best_) {
-      if (counter(run, "bytes_per_second") > 0 && name.starts_with("stream") == streams) {
-        print(name, run);
+      if (counter(run, "bytes_per_second") > 0 && name.starts_with("stream") == plain) {
+        print_row(name, run, streams);
       }
     }
   }
-  fmt::print("Cells are fluid cells. Counting rules: bench/traffic.hpp.\n");
+  fmt::print("Cells are fluid cells of all ranks. Counting rules: bench/traffic.hpp.\n");
 }
 
 }  // namespace porefines::bench

@@ -6,15 +6,14 @@ namespace {
 
 constexpr double word = sizeof(float);
 
-double visit_bytes(const flow::Hierarchy& hierarchy, int l, bool first) {
-  auto& level = const_cast<flow::Hierarchy&>(hierarchy).level(l);
+double visit_bytes(flow::Hierarchy& hierarchy, int l, bool first) {
+  const flow::Level& level = hierarchy.level(l);
   const auto cells = static_cast<double>(active_cells(level));
   double bytes = first ? 4 * word * cells : 0;
   if (l + 1 == hierarchy.size()) {
     return bytes + 20 * sweep_bytes(level);
   }
-  const auto coarse =
-      static_cast<double>(active_cells(const_cast<flow::Hierarchy&>(hierarchy).level(l + 1)));
+  const auto coarse = static_cast<double>(active_cells(hierarchy.level(l + 1)));
   bytes += 4 * sweep_bytes(level);
   bytes += (level.weighted() ? 22 : 19) * word * cells;
   bytes += word * (4 * cells + 13 * coarse);
@@ -41,7 +40,7 @@ double sweep_bytes(const flow::Level& level) {
   return (level.weighted() ? 19 : 16) * word * static_cast<double>(active_cells(level));
 }
 
-double cycle_bytes(const flow::Hierarchy& hierarchy) {
+double cycle_bytes(flow::Hierarchy& hierarchy) {
   return visit_bytes(hierarchy, 0, true);
 }
 

@@ -30,6 +30,6 @@ double sweep_bytes(const flow::Level& level);
 ///               coarse u (3) and 1/M (3) to z (3), z and p           12 + 13 per coarse cell
 ///
 /// Coarse levels mostly fit in cache: the share of the stream may exceed what memory alone allows.
-double cycle_bytes(const flow::Hierarchy& hierarchy);
+double cycle_bytes(flow::Hierarchy& hierarchy);
 
 }  // namespace porefines::bench
