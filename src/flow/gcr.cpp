@@ -10,7 +10,8 @@ namespace {
 
 constexpr int lanes = grid::line_width;
 constexpr Real vanishing = 1e-10;  ///< share of a direction's square that float can still tell
-constexpr Real little_gain = 0.7;  ///< a cycle that leaves more than this of the residual
+constexpr Real little_gain = 0.7;  ///< of the residual left: the cycle gained little
+constexpr Real slow_gain = 0.35;   ///< of the residual left: another direction is called for
 
 /// Sum of products with one accumulator per lane: vectorised, and the same on every run.
 class Accumulator {
@@ -100,6 +101,7 @@ SolveReport solve_gcr(const par::Communicator& comm, Hierarchy& hierarchy, Opera
   const Real reference = options.reference > 0 ? options.reference : size;
   SolveReport report;
   std::deque<Direction> kept;
+  int allowed = options.directions;
   bool exact = true;     // r is b - K x to double precision
   bool stalled = false;  // the last step gained little
   while (true) {
@@ -119,7 +121,7 @@ SolveReport solve_gcr(const par::Communicator& comm, Hierarchy& hierarchy, Opera
       return report;
     }
     Direction newest;
-    if (kept.size() > static_cast<std::size_t>(options.directions)) {
+    if (kept.size() > static_cast<std::size_t>(allowed)) {
       newest = std::move(kept.front());
       kept.pop_front();
     }
@@ -149,6 +151,9 @@ SolveReport solve_gcr(const par::Communicator& comm, Hierarchy& hierarchy, Opera
     const Real before = size;
     size = std::sqrt(comm.sum(step(newest, kept, beta, alpha, x, r)));
     stalled = size > little_gain * before;
+    if (size > slow_gain * before && allowed < options.most_directions) {
+      ++allowed;
+    }
     exact = false;
     kept.push_back(std::move(newest));
     ++report.cycles;

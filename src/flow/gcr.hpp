@@ -12,7 +12,8 @@ struct SolveOptions {
   Real tolerance = 1e-6;  ///< of the residual norm, relative to `reference`
   Real reference = 0;     ///< norm that 1 stands for; 0: norm of the first residual
   int max_cycles = 200;
-  int directions = 1;                                      ///< previous search directions kept
+  int directions = 1;       ///< previous search directions kept at first
+  int most_directions = 8;  ///< kept when cycles gain little: one more after each of those
   std::function<void(int cycle, Real residual)> progress;  ///< called on every rank
   std::function<bool()> interrupted;                       ///< asked on every rank, same answer
 };
@@ -33,6 +34,8 @@ struct SolveReport {
 /// The Stokes operator is indefinite, so (r, q) may vanish and the step with it (GCR breaks down).
 /// After a step that gained little, the cycle is applied to the last q instead of r, as in
 /// Orthodir: the search space grows all the same.
+/// A tight rock has a few throats, one voxel wide, that a cycle hardly touches. Each costs one
+/// eigenvalue far from the others; as many kept directions take them out of the way.
 /// x and r are double; directions are float. Since rounding of q lets r drift from b - K x by
 /// about 1e-7, the true residual is recomputed before convergence is claimed and, where needed,
 /// the iteration goes on from it: any tolerance down to 1e-12 can be asked for.
