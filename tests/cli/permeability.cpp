@@ -37,7 +37,8 @@ class Permeability : public ::testing::Test {
 TEST_F(Permeability, of_an_empty_chip_is_that_of_two_plates) {
   constexpr Real depth = 16e-6;
   const std::string coarse = summary_of({"chip.toml"});
-  EXPECT_NEAR(number(coarse, "permeability_m2") / (depth * depth / 12), 1 + 1.0 / 512 + 3.0 / 65536, 1e-5);
+  EXPECT_NEAR(number(coarse, "permeability_m2") / (depth * depth / 12), 1 + 1.0 / 512 + 3.0 / 65536,
+              1e-5);
   EXPECT_LT(number(coarse, "flux_variation"), 1e-6);
   const std::string fine = summary_of({"chip.toml", "grid.cells=[32, 16, 32]"});
   EXPECT_NEAR(number(fine, "permeability_m2") / (depth * depth / 12), 1, 0.0006);
