@@ -143,20 +143,8 @@ bool Operator::owned_and_active(int component, int i, int j, int k) const {
   return component < 3 ? level_.inverse_diagonal[component][at] != 0 : level_.push[at] != 0;
 }
 
-namespace {
-
-std::array<Floats*, 4> right_hand_side(Level& level) {
-  return {&level.f[0], &level.f[1], &level.f[2], &level.g};
-}
-std::array<Floats*, 4> unknowns(Level& level) {
-  return {&level.u[0], &level.u[1], &level.u[2], &level.p};
-}
-
-}  // namespace
-
 template <typename T>
-void Operator::load_right_hand_side(const Packed<T>& v, double scale) {
-  const auto fields = right_hand_side(level_);
+void Operator::scatter(const std::array<Floats*, 4>& fields, const Packed<T>& v, double scale) {
   for (std::size_t line = 0; line < lines_.size(); ++line) {
     const auto [i, j, k] = lines_[line];
     const std::ptrdiff_t to = level_.block.at(i, j, k);
@@ -169,22 +157,17 @@ void Operator::load_right_hand_side(const Packed<T>& v, double scale) {
   }
 }
 
+template <typename T>
+void Operator::load_right_hand_side(const Packed<T>& v, double scale) {
+  scatter({&level_.f[0], &level_.f[1], &level_.f[2], &level_.g}, v, scale);
+}
+
 template void Operator::load_right_hand_side<float>(const Packed<float>&, double);
 template void Operator::load_right_hand_side<double>(const Packed<double>&, double);
 
 template <typename T>
 void Operator::load_unknowns(const Packed<T>& v) {
-  const auto fields = unknowns(level_);
-  for (std::size_t line = 0; line < lines_.size(); ++line) {
-    const auto [i, j, k] = lines_[line];
-    const std::ptrdiff_t to = level_.block.at(i, j, k);
-    for (int c = 0; c < 4; ++c) {
-      const T* from = v.data() + line * packed_width + c * width;
-      for (int l = 0; l < width; ++l) {
-        (*fields[c])[to + l] = static_cast<float>(from[l]);
-      }
-    }
-  }
+  scatter({&level_.u[0], &level_.u[1], &level_.u[2], &level_.p}, v, 1);
 }
 
 template void Operator::load_unknowns<float>(const Packed<float>&);

@@ -65,6 +65,9 @@ class Operator {
   struct Line {
     int i, j, k;
   };
+  /// fields = scale * v on the active lines.
+  template <typename T>
+  void scatter(const std::array<Floats*, 4>& fields, const Packed<T>& v, double scale);
   [[nodiscard]] bool owned_and_active(int component, int i, int j, int k) const;
 
   Level& level_;

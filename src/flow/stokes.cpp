@@ -147,7 +147,6 @@ Real StokesSolver::reference_norm(const Drive& drive, const Packed<float>& b) co
 
 SolveReport StokesSolver::solve(const Drive& drive, SolveOptions options) {
   constexpr Real tightest = 1e-10;
-  drive_ = drive;
   scale_ = force_scale(drive);
   const Packed<float> b = right_hand_side(drive);
   x_ = first_guess(drive);

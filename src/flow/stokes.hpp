@@ -81,7 +81,6 @@ class StokesSolver {
   std::unique_ptr<Friction> friction_;
   std::unique_ptr<Operator> operator_;
   Packed<double> x_;
-  Drive drive_;
   Real scale_ = 1;  ///< [Pa/m] force that is 1 inside
 };
 
