@@ -9,6 +9,7 @@
 
 #include "commands.hpp"
 #include "config/reader.hpp"
+#include "core/signals.hpp"
 #include "sim/run.hpp"
 
 namespace porefines {
@@ -42,6 +43,7 @@ void add_run(CLI::App& app, int& exit_code) {
   command->add_flag("--restart", arguments->options.restart,
                     "continue from the checkpoint in the output folder");
   command->callback([arguments, &exit_code] {
+    watch_signals();
     const config::Case the_case = config::load_case(arguments->case_file, arguments->overrides);
     if (arguments->options.output_dir.empty()) {
       arguments->options.output_dir = the_case.run.output_dir;

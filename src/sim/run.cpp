@@ -78,29 +78,11 @@ void say(Log& log, const par::Communicator& comm, const io::Provenance& provenan
   }
 }
 
-/// The signal that any rank saw, or 0. Collective.
-int signal_anywhere(const par::Communicator& comm) {
-  return static_cast<int>(comm.max(static_cast<Real>(caught_signal())));
-}
-
-int leave(int signal, Log& log) {
-  log.warn("stopped by signal {}: no results were written", signal);
-  return exit_code::signal_base + signal;
-}
-
-int show_plan(const config::Case& the_case, const RunOptions& options, const geom::Sample& sample,
-              const Domain& domain, const std::vector<std::string>& plan,
-              const io::Provenance& provenance, const par::Communicator& comm) {
-  on_root(comm, [&] {
-    make_folder(options.output_dir);
-    draw_sample(options.output_dir, the_case, sample, domain, provenance);
-    Log log("", &std::cout);
-    for (const std::string& line : plan) {
-      log.info("{}", line);
-    }
-    log.info("picture    {}/geometry.png", options.output_dir);
-  });
-  return exit_code::done;
+/// Between two stages: leaves when any rank saw a signal. Collective.
+void stop_if_asked(const par::Communicator& comm) {
+  if (const auto signal = static_cast<int>(comm.max(Real{1} * caught_signal())); signal != 0) {
+    throw Interrupted{signal};
+  }
 }
 
 void write_failure(const std::string& folder, const std::string& reason,
@@ -140,77 +122,144 @@ void say_result(Log& log, const SteadyFlow& flow, Real re, const Porosity& poros
   log.info("results    {}", folder);
 }
 
-}  // namespace
+/// What is known before anything is solved.
+struct Prepared {
+  geom::Sample sample;
+  Domain domain;
+  Plan plan;
+  par::Decomposition cut;
+  std::vector<std::string> story;
+};
 
-int run(const config::Case& the_case, const RunOptions& options) {
-  watch_signals();
-  const Stopwatch watch;
-  const par::Communicator comm;
-  const io::Provenance provenance = io::make_provenance(comm.size(), the_case.run.random_seed);
-  if (options.restart) {
-    throw InputError("a steady run has no checkpoint to restart from: run it without --restart");
-  }
-
-  const geom::Sample sample = geom::build_sample(geometry_spec(the_case), comm.handle());
+Prepared prepare(const config::Case& the_case, const par::Communicator& comm) {
+  stop_if_asked(comm);
+  geom::Sample sample = geom::build_sample(geometry_spec(the_case), comm.handle());
+  stop_if_asked(comm);
   const Domain domain = make_domain(the_case, sample);
   const Probe probe = probe_grid(sample, domain);
   Plan plan = make_plan(the_case, sample, domain, probe, comm.size());
   require_memory(the_case, plan, domain, comm);
-  const par::Decomposition cut =
-      par::decompose(domain.cells, comm.size(), probe.work, the_case.grid.decomposition);
   plan.seconds = estimate_seconds(the_case, plan, comm);
-  const std::vector<std::string> story = describe(the_case, sample, domain, probe, plan);
-  if (options.dry_run) {
-    return show_plan(the_case, options, sample, domain, story, provenance, comm);
-  }
+  stop_if_asked(comm);
+  std::vector<std::string> story = describe(the_case, sample, domain, probe, plan);
+  return {std::move(sample), domain, plan,
+          par::decompose(domain.cells, comm.size(), probe.work, the_case.grid.decomposition),
+          std::move(story)};
+}
 
-  const std::string& folder = options.output_dir;
-  Log log = open_folder(folder, the_case, comm);
-  say(log, comm, provenance, story);
+void show_plan(const config::Case& the_case, const RunOptions& options, const Prepared& prepared,
+               const io::Provenance& provenance, const par::Communicator& comm) {
+  on_root(comm, [&] {
+    make_folder(options.output_dir);
+    draw_sample(options.output_dir, the_case, prepared.sample, prepared.domain, provenance);
+    Log log("", &std::cout);
+    for (const std::string& line : prepared.story) {
+      log.info("{}", line);
+    }
+    log.info("picture    {}/geometry.png", options.output_dir);
+  });
+}
 
-  std::optional<geom::Solid> grains = local_solid(the_case, sample, domain, cut, comm.rank());
-  flow::StokesSolver solver(comm, cut, domain.spacing, domain.boundaries, the_case.fluid.viscosity);
-  link_grains(solver, the_case, sample, *grains, domain);
-  const std::vector<float> solid =
-      solid_fraction(the_case, sample, *grains, domain, solver.block());
-  grains.reset();
-  if (const int signal = signal_anywhere(comm); signal != 0) {
-    return leave(signal, log);
-  }
+/// Links fluid and grains; returns the share of solid in every cell.
+std::vector<float> set_up(flow::StokesSolver& solver, const config::Case& the_case,
+                          const Prepared& prepared, const par::Communicator& comm) {
+  const geom::Solid grains =
+      local_solid(the_case, prepared.sample, prepared.domain, prepared.cut, comm.rank());
+  stop_if_asked(comm);
+  link_grains(solver, the_case, prepared.sample, grains, prepared.domain);
+  stop_if_asked(comm);
+  std::vector<float> solid =
+      solid_fraction(the_case, prepared.sample, grains, prepared.domain, solver.block());
+  stop_if_asked(comm);
+  return solid;
+}
 
-  SteadyFlow solution;
+SteadyFlow solve(const config::Case& the_case, const Domain& domain, flow::StokesSolver& solver,
+                 const std::string& folder, const par::Communicator& comm) {
   try {
-    solution = solve_steady_flow(the_case, domain, solver, comm);
+    SteadyFlow solution = solve_steady_flow(the_case, domain, solver, comm);
+    if (solution.signal != 0) {
+      throw Interrupted{solution.signal};
+    }
+    return solution;
   } catch (const RunError& error) {
     write_failure(folder, error.what(), comm);
     throw;
   }
-  if (solution.signal != 0) {
-    return leave(solution.signal, log);
-  }
+}
 
+/// Fields and pictures. Collective.
+void write_flow(const config::Case& the_case, const std::string& folder, const Prepared& prepared,
+                const SteadyFlow& solution, flow::StokesSolver& solver,
+                const std::vector<float>& solid, const io::Provenance& provenance,
+                const par::Communicator& comm) {
   flow::StokesSolver::CellFields fields = solver.cell_fields();
   to_case_units(fields, solution);
   if (the_case.output.fields) {
-    write_fields(folder, domain, fields, solid, solver.block(), provenance, comm);
+    write_fields(folder, prepared.domain, fields, solid, solver.block(), provenance, comm);
   }
+  stop_if_asked(comm);
   if (the_case.output.pictures) {
-    draw_fields(folder, the_case, sample, domain, fields, solid, solver.block(), provenance, comm);
+    draw_fields(folder, the_case, prepared.sample, prepared.domain, fields, solid, solver.block(),
+                provenance, comm);
   }
+}
+
+void simulate(const config::Case& the_case, const RunOptions& options,
+              const par::Communicator& comm, std::optional<Log>& log) {
+  const Stopwatch watch;
+  const io::Provenance provenance = io::make_provenance(comm.size(), the_case.run.random_seed);
+  if (options.restart) {
+    throw InputError("a steady run has no checkpoint to restart from: run it without --restart");
+  }
+  const Prepared prepared = prepare(the_case, comm);
+  const Domain& domain = prepared.domain;
+  if (options.dry_run) {
+    show_plan(the_case, options, prepared, provenance, comm);
+    return;
+  }
+  const std::string& folder = options.output_dir;
+  log.emplace(open_folder(folder, the_case, comm));
+  say(*log, comm, provenance, prepared.story);
+
+  flow::StokesSolver solver(comm, prepared.cut, domain.spacing, domain.boundaries,
+                            the_case.fluid.viscosity);
+  const std::vector<float> solid = set_up(solver, the_case, prepared, comm);
+  log->info("set-up     {:.2g} s", watch.seconds());
+  const SteadyFlow solution = solve(the_case, domain, solver, folder, comm);
+  write_flow(the_case, folder, prepared, solution, solver, solid, provenance, comm);
+
   RunFacts facts;
-  facts.porosity = measure_porosity(sample, domain, solver.block(), solid, comm);
+  facts.porosity = measure_porosity(prepared.sample, domain, solver.block(), solid, comm);
   facts.fluid_cells = solver.fluid_cells();
   facts.peak_memory = comm.sum(static_cast<Real>(peak_memory()));
-  facts.planned_memory = plan.memory;
+  facts.planned_memory = prepared.plan.memory;
   facts.wall_time = watch.seconds();
   facts.provenance = provenance;
+  stop_if_asked(comm);
   on_root(comm, [&] {
     write_file(folder + "/summary.json",
-               summarise(the_case, sample, domain, solution, facts).text());
+               summarise(the_case, prepared.sample, domain, solution, facts).text());
   });
-  say_result(log, solution, reynolds(the_case, solution, facts.porosity.connected, domain),
+  say_result(*log, solution, reynolds(the_case, solution, facts.porosity.connected, domain),
              facts.porosity, folder);
-  return exit_code::done;
+}
+
+}  // namespace
+
+int run(const config::Case& the_case, const RunOptions& options) {
+  const par::Communicator comm;
+  std::optional<Log> log;
+  try {
+    simulate(the_case, options, comm, log);
+    return exit_code::done;
+  } catch (const Interrupted& stop) {
+    if (!log) {
+      log.emplace("", comm.is_root() ? &std::cout : nullptr);
+    }
+    log->warn("stopped by signal {}: no results were written", stop.signal);
+    return exit_code::signal_base + stop.signal;
+  }
 }
 
 }  // namespace porefines::sim

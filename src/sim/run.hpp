@@ -16,6 +16,9 @@ struct RunOptions {
 
 /// Simulates a case and writes its output folder. Collective over MPI_COMM_WORLD.
 ///
+/// Leaves between two stages or cycles when a signal came since watch_signals(), says so, and writes
+/// no results. One that comes when all results are written changes nothing.
+///
 /// @return  the exit code: exit_code::done, or exit_code::signal_base + n when signal n ended it
 /// @throws InputError  the case cannot be run: nothing was
 /// @throws RunError    the simulation stopped itself; what there is has been saved

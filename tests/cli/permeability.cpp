@@ -127,18 +127,6 @@ TEST_F(Permeability, dry_run_says_what_to_expect_and_solves_nothing) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out/summary.json"));
 }
 
-/// A batch system's warning: leave between two cycles, with nothing that looks like a result.
-TEST_F(Permeability, leaves_on_a_signal_without_results) {
-  const auto result =
-      test::run_in(folder_.path(), {"timeout", "--preserve-status", "-s", "TERM", "1", PF_BINARY,
-                                    "run", "chip.toml", "grid.cells=[128, 96, 96]"});
-  EXPECT_EQ(result.exit_code, 128 + 15) << result.output;
-  EXPECT_NE(result.output.find("stopped by signal 15"), std::string::npos) << result.output;
-  for (const std::string file : {"summary.json", "fields.xdmf", "speed.png"}) {
-    EXPECT_FALSE(std::filesystem::exists(folder_ / ("out/" + file))) << file;
-  }
-}
-
 TEST_F(Permeability, memory_is_foreseen) {
   const std::string summary = summary_of({"chip.toml", "grid.cells=[96, 64, 64]"});
   EXPECT_NEAR(number(summary, "planned_memory_bytes") / number(summary, "peak_memory_bytes"), 1,
