@@ -11,10 +11,11 @@ SEES = {
     "grid": {"core", "par"},
     "geom": {"core", "par", "grid"},
     "flow": {"core", "par", "grid"},
+    "dem": {"core", "par", "grid", "geom"},
     "io": {"core", "par", "grid"},
     "analysis": {"core", "par", "grid", "io"},
     "report": {"core", "config", "io", "analysis", "geom"},
-    "sim": {"core", "config", "par", "grid", "geom", "flow", "io", "analysis", "report"},
+    "sim": {"core", "config", "par", "grid", "geom", "flow", "dem", "io", "analysis", "report"},
 }
 
 
