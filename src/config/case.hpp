@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "config/case_particles.hpp"
 #include "core/types.hpp"
 
 namespace porefines::config {
@@ -16,6 +17,8 @@ struct Run {
   std::string reference;
   std::string output_dir = "out";  ///< relative to the working directory
   unsigned long long random_seed = 1;
+  Real end_time = 0;  ///< [s] simulated
+  Real max_wall = 0;  ///< [s] of wall time; 0: no limit
   friend bool operator==(const Run&, const Run&) = default;
 };
 
@@ -74,7 +77,7 @@ struct Opening {
   friend bool operator==(const Opening&, const Opening&) = default;
 };
 
-enum class Regime { stokes };
+enum class Regime { stokes, none };
 
 /// [flow]
 struct Flow {
@@ -98,13 +101,6 @@ struct Analysis {
   friend bool operator==(const Analysis&, const Analysis&) = default;
 };
 
-/// [[output]]
-struct Output {
-  bool fields = true;    ///< fields.xdmf + fields.h5
-  bool pictures = true;  ///< PNG slices
-  friend bool operator==(const Output&, const Output&) = default;
-};
-
 /// A whole case in SI, defaults filled.
 struct Case {
   std::string path;  ///< the case file as the user named it
@@ -114,8 +110,29 @@ struct Case {
   Fluid fluid;
   Flow flow;
   Analysis analysis;
-  Output output;
+  Triple gravity{};  ///< [m/s^2]
+  Box box;
+  Contact contact;
+  std::vector<Particles> particles;
+  std::vector<Injection> injection;
+  std::vector<Shape> surface;
+  std::vector<Output> output{{OutputKind::fields}, {OutputKind::pictures}};
   friend bool operator==(const Case&, const Case&) = default;
 };
+
+/// Particles without a fluid.
+[[nodiscard]] inline bool is_dry(const Case& subject) {
+  return subject.flow.regime == Regime::none;
+}
+
+/// The first [[output]] of this kind, or null.
+[[nodiscard]] inline const Output* find_output(const Case& subject, OutputKind kind) {
+  for (const Output& output : subject.output) {
+    if (output.kind == kind) {
+      return &output;
+    }
+  }
+  return nullptr;
+}
 
 }  // namespace porefines::config

@@ -4,7 +4,7 @@
 #include "config/case.hpp"
 #include "config/tree.hpp"
 
-/// The parts of validate() that concern the flow. All throw an InputError.
+/// The parts of validate(). All throw an InputError.
 namespace porefines::config {
 
 /// Each axis is either periodic or has openings, walls and slip faces; no face is two things.
@@ -13,5 +13,17 @@ void check_faces(const Flow& flow, const Node& given);
 /// Exactly one thing drives the flow: a gradient along a periodic axis, or an inlet and an outlet
 /// of which one has a pressure.
 void check_drive(const Flow& flow, const Node& given);
+
+/// Species, injections, walls and the faces of the box, each by itself.
+void check_particles(const Case& subject, const Node& given);
+
+/// That the files named in them exist.
+void check_particle_files(const Case& subject, const Node& given);
+
+/// Particles without a flow: what is needed and what has no meaning.
+void check_dry(const Case& subject, const Node& given);
+
+/// A steady flow: what only particles would need.
+void check_steady(const Case& subject, const Node& given);
 
 }  // namespace porefines::config

@@ -10,6 +10,14 @@
 
 namespace porefines::config {
 
+/// A line of the reference page about a key of a table that may repeat.
+struct ItemLine {
+  std::string name;
+  std::string type;
+  std::string value;  ///< the default, or what leaving it out means
+  std::string doc;
+};
+
 /// One key of the case file. The list of them (all_keys) is all there is to know about the format:
 /// reading, unknown-key errors, the effective case and the reference page follow from it.
 struct Key {
@@ -20,6 +28,7 @@ struct Key {
   std::function<std::string(const Case&)> write;  ///< the TOML value; "" when absent
   std::string absent = "";                        ///< what leaving it out means, when write says ""
   std::vector<GeometryKind> only_for = {};        ///< empty: every kind of geometry
+  std::vector<ItemLine> items = {};               ///< of a table that may repeat
 };
 
 /// Every key, in the order in which they are read and written.
@@ -27,6 +36,11 @@ struct Key {
 
 /// The parts of all_keys().
 [[nodiscard]] std::vector<Key> run_keys();
+[[nodiscard]] Key particles_key();
+[[nodiscard]] Key injection_key();
+[[nodiscard]] Key surface_key();
+[[nodiscard]] std::vector<Key> contact_keys();
+[[nodiscard]] std::vector<Key> box_keys();
 [[nodiscard]] std::vector<Key> geometry_keys();
 [[nodiscard]] std::vector<Key> grid_keys();
 [[nodiscard]] std::vector<Key> flow_keys();
@@ -38,6 +52,13 @@ struct Key {
 [[nodiscard]] const std::vector<std::string>& geometry_kind_names();  ///< indexed by GeometryKind
 [[nodiscard]] const std::vector<std::string>& face_names();           ///< indexed by BoxFace
 [[nodiscard]] const std::vector<std::string>& axis_names();
+
+using Faces = std::array<bool, 6>;  ///< indexed by BoxFace
+/// Sets those that are named.
+void read_faces(Faces& faces, const Node& node);
+[[nodiscard]] std::string write_faces(const Faces& faces);
+[[nodiscard]] std::array<bool, 3> read_axes(const Node& node);
+[[nodiscard]] std::string write_axes(const std::array<bool, 3>& axes);
 
 /// "[64, 64, 64]", or "" for three zeros.
 [[nodiscard]] std::string write_int3(const Int3& numbers);

@@ -10,7 +10,8 @@ namespace porefines::config {
 const std::vector<Key>& all_keys() {
   static const std::vector<Key> keys = [] {
     std::vector<Key> all;
-    for (const auto& part : {run_keys(), geometry_keys(), grid_keys(), flow_keys(), later_keys()}) {
+    for (const auto& part : {run_keys(), geometry_keys(), grid_keys(), flow_keys(), box_keys(),
+                             contact_keys(), later_keys()}) {
       all.insert(all.end(), part.begin(), part.end());
     }
     return all;
@@ -38,6 +39,40 @@ const std::vector<std::string>& axis_names() {
   return names;
 }
 
+void read_faces(Faces& faces, const Node& node) {
+  for (const Node& name : read_list(node, "[\"z-\", \"z+\"]")) {
+    faces[read_choice(name, face_names())] = true;
+  }
+}
+
+std::string write_faces(const Faces& faces) {
+  std::string list;
+  for (std::size_t face = 0; face < faces.size(); ++face) {
+    if (faces[face]) {
+      list += (list.empty() ? "" : ", ") + toml_string(face_names()[face]);
+    }
+  }
+  return "[" + list + "]";
+}
+
+std::array<bool, 3> read_axes(const Node& node) {
+  std::array<bool, 3> axes{};
+  for (const Node& axis : read_list(node, "[\"x\", \"y\"]")) {
+    axes[read_choice(axis, axis_names())] = true;
+  }
+  return axes;
+}
+
+std::string write_axes(const std::array<bool, 3>& axes) {
+  std::string list;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (axes[axis]) {
+      list += (list.empty() ? "" : ", ") + toml_string(axis_names()[axis]);
+    }
+  }
+  return "[" + list + "]";
+}
+
 std::string write_int3(const Int3& numbers) {
   return numbers == Int3{} ? "" : fmt::format("[{}, {}, {}]", numbers[0], numbers[1], numbers[2]);
 }
@@ -49,16 +84,11 @@ Key later_key(std::string path, std::string doc) {
 /// What later versions add. Named so that a user learns more than "unknown key".
 std::vector<Key> later_keys() {
   return {
-      later_key("run.end_time", "this version finds the steady flow, which has no end time"),
-      later_key("run.max_wall", "this version finds the steady flow in one go"),
       later_key("flow.courant", "this version finds the steady flow, without time steps"),
       later_key("flow.velocity_tolerance", "one tolerance covers the solve: pressure_tolerance"),
-      later_key("particles", "this version solves the flow through fixed grains"),
-      later_key("injection", "this version solves the flow through fixed grains"),
-      later_key("contact", "this version solves the flow through fixed grains"),
-      later_key("colloid", "this version solves the flow through fixed grains"),
-      later_key("coupling", "this version solves the flow through fixed grains"),
-      later_key("checkpoint", "a steady solve is short enough to be repeated"),
+      later_key("colloid", "particles have contact forces and gravity, no surface forces yet"),
+      later_key("coupling", "this version moves particles without a fluid"),
+      later_key("checkpoint", "this version cannot continue a run"),
       later_key("compare", "compare summary.json with your data by hand"),
   };
 }

@@ -11,24 +11,6 @@ constexpr Range pressures{-1e10, 1e10};
 constexpr Range flow_rates{0, 1e3};
 constexpr Range velocities{0, 1e3};
 
-using Faces = std::array<bool, 6>;
-
-void read_faces(Faces& faces, const Node& node) {
-  for (const Node& name : read_list(node, "[\"z-\", \"z+\"]")) {
-    faces[read_choice(name, face_names())] = true;
-  }
-}
-
-std::string write_faces(const Faces& faces) {
-  std::string list;
-  for (std::size_t face = 0; face < faces.size(); ++face) {
-    if (faces[face]) {
-      list += (list.empty() ? "" : ", ") + toml_string(face_names()[face]);
-    }
-  }
-  return "[" + list + "]";
-}
-
 Key faces_key(std::string path, Faces Flow::*member, std::string doc) {
   return {std::move(path), "list of faces, e.g. `[\"z-\", \"z+\"]`", std::move(doc),
           [=](Case& c, const Node& node) {
@@ -50,11 +32,12 @@ void read_sides(Case& c, const Node& node) {
 }
 
 void read_regime(Case& c, const Node& node) {
-  if (read_choice(node, {"stokes", "navier-stokes"}) == 1) {
+  const std::size_t regime = read_choice(node, {"stokes", "none", "navier-stokes"});
+  if (regime == 2) {
     fail(node.place, "\"navier-stokes\" is not available in this version",
          "use \"stokes\" where Re < 1; the run reports Re");
   }
-  c.flow.regime = Regime::stokes;
+  c.flow.regime = static_cast<Regime>(regime);
 }
 
 void read_steady(Case&, const Node& node) {
@@ -62,23 +45,6 @@ void read_steady(Case&, const Node& node) {
     fail(node.place, "false is not available in this version",
          "this version finds the steady flow: delete the key");
   }
-}
-
-void read_periodic(Case& c, const Node& node) {
-  c.flow.periodic = {};
-  for (const Node& axis : read_list(node, "[\"x\", \"y\"]")) {
-    c.flow.periodic[read_choice(axis, axis_names())] = true;
-  }
-}
-
-std::string write_periodic(const Case& c) {
-  std::string list;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (c.flow.periodic[axis]) {
-      list += (list.empty() ? "" : ", ") + toml_string(axis_names()[axis]);
-    }
-  }
-  return "[" + list + "]";
 }
 
 /// One quantity acts along the first periodic axis, three along x, y, z. Read after `periodic`.
@@ -156,12 +122,16 @@ std::vector<Key> opening_keys(const std::string& name, std::optional<Opening> Fl
 std::vector<Key> flow_keys() {
   constexpr Range tolerances{1e-14, 0.1};
   std::vector<Key> keys{
-      {"flow.regime", "`\"stokes\"`", "creeping flow; valid for Re < 1", read_regime,
-       [](const Case&) { return "\"stokes\""; }},
+      {"flow.regime", "`\"stokes\"`, `\"none\"`",
+       "creeping flow, valid for Re < 1; or no fluid at all, which is also what a case with "
+       "particles and without `[flow]` means",
+       read_regime,
+       [](const Case& c) { return c.flow.regime == Regime::none ? "\"none\"" : "\"stokes\""; }},
       {"flow.steady", "`true`", "one steady solve", read_steady,
        [](const Case&) { return "true"; }},
       {"flow.periodic", "list of axes, e.g. `[\"x\", \"y\"]`", "axes along which the box repeats",
-       read_periodic, write_periodic},
+       [](Case& c, const Node& node) { c.flow.periodic = read_axes(node); },
+       [](const Case& c) { return write_axes(c.flow.periodic); }},
       {"flow.pressure_gradient", "pressure gradient, e.g. `\"1 kPa/m\"`, or a list of three",
        "periodic drive: the fluid is pushed towards +gradient; one value acts along the first "
        "periodic axis",

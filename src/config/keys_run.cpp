@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MPL-2.0
 // Keys of the run as a whole, and of what it writes.
-#include "config/key.hpp"
+#include "config/item_key.hpp"
 
 namespace porefines::config {
 namespace {
-
-const std::vector<std::string>& output_kinds() {
-  static const std::vector<std::string> kinds{"fields", "pictures"};
-  return kinds;
-}
 
 void read_output_dir(Case& c, const Node& node) {
   c.run.output_dir = read_text(node);
@@ -17,36 +12,42 @@ void read_output_dir(Case& c, const Node& node) {
   }
 }
 
-void read_outputs(Case& c, const Node& node) {
-  constexpr auto example = "[[output]] with kind = \"fields\"";
-  c.output = {.fields = false, .pictures = false};
-  for (const Node& element : read_list(node, example)) {
-    for (const Entry& entry : read_table(element, {"kind", "every", "fields"})) {
-      if (entry.name != "kind") {
-        fail(entry.node.place, "not available in this version",
-             "a steady flow is written once, with every field");
-      }
-    }
-    const Node* kind = find(element, "kind");
-    if (kind == nullptr) {
-      fail(element.place, "needs a kind", "write kind = \"fields\" or kind = \"pictures\"");
-    }
-    const std::string& name = read_text(*kind);
-    if (name == "tracks" || name == "summary") {
-      fail(kind->place, toml_string(name) + " is not available in this version",
-           name == "summary" ? "summary.json is always written, delete this table"
-                             : "there are no moving particles to track yet");
-    }
-    (read_choice(*kind, output_kinds()) == 0 ? c.output.fields : c.output.pictures) = true;
-  }
+std::vector<ItemKey<Output>> output_items() {
+  return {
+      choice_item("kind", &Output::kind, {"fields", "pictures", "tracks", "summary"},
+                  "`fields`: fields.xdmf and HDF5; `pictures`: PNG; `tracks`: tracks.csv, a row "
+                  "per particle and sample; `summary`: series.csv, a row per sample"),
+      quantity_item("every", &Output::every, kind::time, above_zero,
+                    "a hundredth of the run; pictures: at the end",
+                    "simulated time from sample to sample"),
+      flag_item("forces", &Output::forces, "tracks: forces and torques too")};
 }
 
-std::string write_outputs(const Case& c) {
-  std::string list;
-  list += c.output.fields ? "{ kind = \"fields\" }" : "";
-  list += c.output.fields && c.output.pictures ? ", " : "";
-  list += c.output.pictures ? "{ kind = \"pictures\" }" : "";
-  return "[" + list + "]";
+/// A kind must be said: its default is only there to be overwritten.
+Key output_key() {
+  Key key = list_key("output", &Case::output, output_items(),
+                     "what is written besides summary.json; the default is fields and pictures, "
+                     "and for particles tracks and summary too");
+  key.read = [read = key.read](Case& c, const Node& node) {
+    read(c, node);
+    for (std::size_t i = 0; i < c.output.size(); ++i) {
+      const Node& element = item_node(node, "", i);
+      if (find(element, "kind") == nullptr) {
+        fail(element.place, "needs a kind", "write kind = \"fields\" or kind = \"pictures\"");
+      }
+    }
+  };
+  return key;
+}
+
+/// "9.81 m/s^2" acts along -z, three components as they are.
+void read_gravity(Case& c, const Node& node) {
+  constexpr Range accelerations{-1e6, 1e6};
+  if (std::holds_alternative<List>(node.value)) {
+    c.gravity = read_triple(node, kind::acceleration, accelerations);
+  } else {
+    c.gravity = {0, 0, -read_quantity(node, kind::acceleration, accelerations)};
+  }
 }
 
 }  // namespace
@@ -56,15 +57,25 @@ std::vector<Key> run_keys() {
       text_key("title", &Case::run, &Run::title, "none", "what the report is headed with"),
       text_key("reference", &Case::run, &Run::reference, "none",
                "the publication that the case follows"),
-      {"output", "list of tables with `kind`",
-       "what is written besides summary.json: `\"fields\"` (fields.xdmf and HDF5), `\"pictures\"` "
-       "(PNG); also as `[[output]]`",
-       read_outputs, write_outputs},
+      {"gravity", "acceleration, e.g. `\"9.81 m/s^2\"` downwards along z, or a list of three",
+       "acts on particles; none unless it is given", read_gravity,
+       [](const Case& c) {
+         return c.gravity == Triple{} ? "" : write_triple(c.gravity, kind::acceleration);
+       },
+       "none"},
+      output_key(),
+      particles_key(),
+      injection_key(),
+      surface_key(),
       {"run.output_dir", "text",
        "folder of the results, relative to the working directory; `-o` overrides it",
        read_output_dir, [](const Case& c) { return toml_string(c.run.output_dir); }},
       integer_key("run.random_seed", &Case::run, &Run::random_seed, not_negative,
                   "seed of every random number; the same on any number of ranks"),
+      quantity_key("run.end_time", &Case::run, &Run::end_time, kind::time, above_zero,
+                   "required with moving particles", "simulated time at which the run ends"),
+      quantity_key("run.max_wall", &Case::run, &Run::max_wall, kind::time, above_zero, "no limit",
+                   "wall time after which the run ends, with its results so far"),
   };
 }
 

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "config/checks.hpp"
 #include "config/key.hpp"
 #include "core/error.hpp"
 
@@ -79,6 +80,15 @@ void add_default_walls(Flow& flow) {
   }
 }
 
+/// An injection that names no species means the only one there is.
+void name_the_only_species(Case& subject) {
+  for (Injection& injection : subject.injection) {
+    if (injection.species.empty() && subject.particles.size() == 1) {
+      injection.species = subject.particles.front().name;
+    }
+  }
+}
+
 Case read_tree(const Node& root, const std::string& path) {
   require_known(root, "");
   Case subject;
@@ -96,8 +106,17 @@ Case read_tree(const Node& root, const std::string& path) {
     }
     key.read(subject, *node);
   }
+  if (find(root, "flow") == nullptr && !subject.particles.empty()) {
+    subject.flow.regime = Regime::none;
+  }
+  if (is_dry(subject) && find(root, "output") == nullptr) {
+    subject.output = {{OutputKind::pictures}, {OutputKind::tracks}, {OutputKind::summary}};
+  }
+  name_the_only_species(subject);
   validate(subject, root);
-  add_default_walls(subject.flow);
+  if (!is_dry(subject)) {
+    add_default_walls(subject.flow);
+  }
   return subject;
 }
 
@@ -160,6 +179,7 @@ Case load_case(const std::string& path, const std::vector<std::string>& override
     fail(place, fmt::format("there is no file {}", source),
          place.command_line ? "" : "a relative path starts at the folder of the case file");
   }
+  check_particle_files(subject, root);
   return subject;
 }
 

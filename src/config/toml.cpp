@@ -105,6 +105,18 @@ Node& entry(Table& table, const std::string& name, const Place& place) {
   return table.back().node;
 }
 
+/// Element `name`, a number from 0, of a list of tables: particles.0.diameter.
+Node& element(List& list, const std::string& name, Place& place) {
+  const bool number = name.size() < 9 && std::all_of(name.begin(), name.end(),
+                                                     [](char c) { return c >= '0' && c <= '9'; });
+  if (!number || static_cast<std::size_t>(std::stoi(name)) >= list.size()) {
+    fail(place, "is a list of " + std::to_string(list.size()) + ", it holds no element " + name,
+         "elements are counted from 0");
+  }
+  place.path += "." + name;
+  return list[static_cast<std::size_t>(std::stoi(name))];
+}
+
 /// The value of an override: TOML where it can be read so, otherwise the text itself.
 Node read_value(const std::string& text, const Place& place) {
   try {
@@ -155,6 +167,11 @@ void apply_override(Node& root, const std::string& assignment) {
       throw InputError("command line: " + json_string(path) +
                        " is no key\nwrite key.path=value, e.g. \"grid.cell_size=5 um\"");
     }
+    start = dot + 1;
+    if (auto* list = std::get_if<List>(&node->value)) {
+      node = &element(*list, name, place);
+      continue;
+    }
     auto* table = std::get_if<Table>(&node->value);
     if (table == nullptr) {
       fail(place, "is a single value, it holds no key " + name);
@@ -162,7 +179,6 @@ void apply_override(Node& root, const std::string& assignment) {
     place.path += (place.path.empty() ? "" : ".") + name;
     place.shape = Place::Shape::table;
     node = &entry(*table, name, place);
-    start = dot + 1;
   }
   place.shape = Place::Shape::key;
   *node = read_value(assignment.substr(equals + 1), place);

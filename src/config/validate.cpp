@@ -98,9 +98,15 @@ void check_cells(const Grid& grid, const Geometry& geometry, const Node& given) 
 
 void validate(const Case& subject, const Node& given) {
   check_geometry(subject.geometry, given);
+  check_particles(subject, given);
+  if (is_dry(subject)) {
+    check_dry(subject, given);
+    return;
+  }
   check_cells(subject.grid, subject.geometry, given);
   check_faces(subject.flow, given);
   check_drive(subject.flow, given);
+  check_steady(subject, given);
 }
 
 }  // namespace porefines::config

@@ -41,6 +41,18 @@ std::string restriction(const Key& key) {
   return kinds.empty() ? "" : fmt::format(" (kind {})", kinds);
 }
 
+/// The keys of a table that may repeat, below the page's line about the table.
+std::string item_table(const Key& key) {
+  std::string text =
+      fmt::format("\n### [[{}]]\n\n{}.\n\n| key | value | default | meaning |\n|---|---|---|---|\n",
+                  key.path, key.doc);
+  for (const ItemLine& line : key.items) {
+    text += fmt::format("| `{}` | {} | {} | {} |\n", line.name, escaped(line.type),
+                        escaped(line.value), escaped(line.doc));
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string effective_case(const Case& subject) {
@@ -87,6 +99,10 @@ std::string reference_page() {
     }
     text += fmt::format("| `{}` | {} | {} | {}{} |\n", name_in_table(key), escaped(key.type),
                         escaped(default_of(key)), escaped(key.doc), restriction(key));
+  }
+  text += "\n## Tables that may repeat\n\nEach is also a list of inline tables under its name.\n";
+  for (const Key& key : all_keys()) {
+    text += key.items.empty() ? "" : item_table(key);
   }
   text += "\n## Not available in this version\n\n";
   for (const Key& key : all_keys()) {

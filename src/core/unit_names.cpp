@@ -16,7 +16,7 @@ constexpr std::array known_kinds{
     kind::pressure,      kind::density,      kind::pressure_gradient,
     kind::viscosity,     kind::force,        kind::kinematic_viscosity,
     kind::energy,        kind::voltage,      kind::temperature,
-    kind::concentration,
+    kind::concentration, kind::stiffness,
 };
 
 }  // namespace

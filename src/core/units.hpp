@@ -52,6 +52,7 @@ inline constexpr QuantityKind viscosity{"dynamic viscosity", {-1, 1, -1}, "Pa s"
 inline constexpr QuantityKind kinematic_viscosity{
     "kinematic viscosity", {2, 0, -1}, "m^2/s", "1.004e-6 m^2/s"};
 inline constexpr QuantityKind force{"force", {1, 1, -2}, "N", "1e-12 N"};
+inline constexpr QuantityKind stiffness{"stiffness", {0, 1, -2}, "N/m", "10 N/m"};
 inline constexpr QuantityKind energy{"energy", {2, 1, -2}, "J", "9e-21 J"};
 inline constexpr QuantityKind voltage{"voltage", {2, 1, -3, 0, 0, -1}, "V", "-35 mV"};
 inline constexpr QuantityKind temperature{"temperature", {0, 0, 0, 1}, "K", "298.15 K"};

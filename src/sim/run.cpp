@@ -195,11 +195,11 @@ void write_flow(const config::Case& the_case, const std::string& folder, const P
                 const par::Communicator& comm) {
   flow::StokesSolver::CellFields fields = solver.cell_fields();
   to_case_units(fields, solution);
-  if (the_case.output.fields) {
+  if (config::find_output(the_case, config::OutputKind::fields)) {
     write_fields(folder, prepared.domain, fields, solid, solver.block(), provenance, comm);
   }
   stop_if_asked(comm);
-  if (the_case.output.pictures) {
+  if (config::find_output(the_case, config::OutputKind::pictures)) {
     draw_fields(folder, the_case, prepared.sample, prepared.domain, fields, solid, solver.block(),
                 provenance, comm);
   }
@@ -209,6 +209,9 @@ void simulate(const config::Case& the_case, const RunOptions& options,
               const par::Communicator& comm, std::optional<Log>& log) {
   const Stopwatch watch;
   const io::Provenance provenance = io::make_provenance(comm.size(), the_case.run.random_seed);
+  if (config::is_dry(the_case)) {
+    throw InputError("[[particles]]: runs without a flow come with the next commits");
+  }
   if (options.restart) {
     throw InputError("a steady run has no checkpoint to restart from: run it without --restart");
   }

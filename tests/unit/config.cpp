@@ -79,14 +79,14 @@ kind = "fields"
   EXPECT_DOUBLE_EQ(c.flow.reservoir, 10e-6);
   EXPECT_DOUBLE_EQ(c.flow.tolerance, 1e-8);
   EXPECT_EQ(c.flow.max_cycles, 50);
-  EXPECT_TRUE(c.output.fields);
-  EXPECT_FALSE(c.output.pictures);
+  ASSERT_EQ(c.output.size(), 1U);
+  EXPECT_EQ(c.output[0].kind, OutputKind::fields);
 }
 
 TEST(Config, fills_the_defaults) {
   const Case c = parse_case(box_case, "box.toml");
   EXPECT_DOUBLE_EQ(c.fluid.viscosity, 1.002e-3);
-  EXPECT_TRUE(c.output.fields && c.output.pictures);
+  EXPECT_TRUE(find_output(c, OutputKind::fields) && find_output(c, OutputKind::pictures));
   EXPECT_FALSE(c.grid.decomposition);
   EXPECT_LT(c.flow.reservoir, 0);
 }
@@ -123,7 +123,7 @@ TEST(Config, the_command_line_replaces_and_adds) {
   EXPECT_EQ(c.geometry.keep, Keep::all);
   EXPECT_EQ(c.flow.max_cycles, 7);
   EXPECT_DOUBLE_EQ(c.flow.inlet->value, 3);
-  EXPECT_FALSE(c.output.fields || c.output.pictures);
+  EXPECT_TRUE(c.output.empty());
   EXPECT_EQ(c.run.title, "5");
 }
 

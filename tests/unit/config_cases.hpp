@@ -31,4 +31,17 @@ inlet = { face = "x-", pressure = "12 Pa" }
 outlet = { face = "x+", pressure = "0 Pa" }
 )";
 
+/// Particles without a fluid.
+inline const std::string dry_case = R"(gravity = "9.81 m/s^2"
+[run]
+end_time = "10 ms"
+[geometry]
+kind = "empty"
+size = ["1 mm", "1 mm", "2 mm"]
+[[particles]]
+name = "sand"
+diameter = "100 um"
+count = 20
+)";
+
 }  // namespace porefines::test

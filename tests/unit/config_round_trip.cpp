@@ -44,11 +44,66 @@ periodic = ["x", "y", "z"]
 pressure_gradient = ["0.1 Pa/m", "0.3 kPa/m", "0"]
 )";
 
+const std::string full_dry_case = test::dry_case + R"([[particles]]
+name = "fines"
+diameter = { mean = "30 um", standard_deviation = "7 um", distribution = "lognormal", by = "volume" }
+[[particles]]
+name = "grit"
+diameter = { diameters = ["10 um", "30 um"], shares = [0.1, 0.9] }
+fill = 0.1
+filling = "dense"
+region = { low = ["0 m", "0 m", "1 mm"], high = ["1 mm", "1 mm", "1.7 mm"] }
+velocity = ["0.1 m/s", "0 m/s", "0.3 m/s"]
+force = ["0 N", "1e-9 N", "0 N"]
+[[particles]]
+name = "held"
+source = "held.csv"
+fixed = true
+[contact]
+model = "linear"
+restitution = 0.7
+friction = { particle_wall = 0.1 }
+rolling = { model = "spring-dashpot", friction = 0.07 }
+stiffness = "0.3 kN/m"
+wall_young = "1 GPa"
+[[injection]]
+species = "fines"
+face = "z+"
+mass_fraction = 0.004
+velocity = "1 mm/s"
+pulses = { period = "3 ms", duration = "0.7 ms" }
+[[injection]]
+species = "sand"
+face = "z+"
+rate = "300 Hz"
+velocity = "0.1 m/s"
+stop = "9 ms"
+region = { low = ["0.1 mm", "0 m", "0 m"], high = ["0.9 mm", "1 mm", "2 mm"] }
+[[surface]]
+kind = "plane"
+point = ["0 m", "0 m", "0.1 mm"]
+normal = [0.3, 0, 1]
+[[surface]]
+kind = "cylinder"
+radius = "0.4 mm"
+inside = true
+[[surface]]
+kind = "mesh"
+source = "hopper.stl"
+unit = "1 mm"
+[[output]]
+kind = "tracks"
+every = "0.1 ms"
+forces = true
+)";
+
 const Variant variants[] = {
     {"box", test::box_case, {}},
     {"image", test::image_case, {}},
     {"spheres", list_case, {"geometry.list_unit=1 um", "geometry.periodic_images=false"}},
     {"no_output", test::box_case, {"output=[]"}},
+    {"dry", test::dry_case, {"box.periodic=[\"x\"]", "box.open=[\"z-\"]", "run.max_wall=1 h"}},
+    {"dry_in_full", full_dry_case, {}},
     {"otsu", test::image_case, {"geometry.threshold=otsu", "geometry.pore_is_bright=false"}},
     {"grey",
      test::image_case,
