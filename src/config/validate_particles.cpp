@@ -225,9 +225,11 @@ void check_steady(const Case& subject, const Node& given) {
   if (!(subject.box == untouched)) {
     fail(place_of(given, "box"), "has no meaning beside a flow, which says what the faces are");
   }
-  for (const std::string path : {"gravity", "contact", "surface"}) {
-    if (const Node* node = find(given, path)) {
-      fail(node->place, "is for particles, and there are none");
+  for (const auto& [path, said] : {std::pair{"gravity", subject.gravity != Triple{}},
+                                   {"contact", !(subject.contact == Contact{})},
+                                   {"surface", !subject.surface.empty()}}) {
+    if (said) {
+      fail(place_of(given, path), "is for particles, and there are none");
     }
   }
   for (std::size_t i = 0; i < subject.output.size() && find(given, "output") != nullptr; ++i) {
