@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MPL-2.0
+#include "dem/exchange.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <type_traits>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+
+namespace porefines::dem {
+
+namespace {
+
+/// A particle as it travels to a new owner; its kept contacts follow.
+struct Traveller {
+  Vec3 position, velocity, angular_velocity, force, torque, external_force, external_torque;
+  Real radius, mass;
+  std::uint64_t id;
+  std::uint32_t contacts;
+  std::uint16_t species;
+  std::uint8_t flags;
+};
+
+/// What a ghost needs once; the rest is refreshed every step.
+struct GhostParcel {
+  Real radius, mass, inverse_mass, inverse_inertia;
+  std::uint64_t id;
+  std::uint32_t species;
+  std::uint32_t flags;
+};
+
+template <typename T>
+void put(std::vector<std::byte>& out, const T* data, std::size_t count = 1) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  const auto* bytes = reinterpret_cast<const std::byte*>(data);
+  out.insert(out.end(), bytes, bytes + sizeof(T) * count);
+}
+
+template <typename T>
+const std::byte* take(const std::byte* from, T* data, std::size_t count = 1) {
+  std::memcpy(data, from, sizeof(T) * count);
+  return from + sizeof(T) * count;
+}
+
+/// Sends bytes of unknown length one way round; either end may be absent (-1).
+std::vector<std::byte> pass_on(MPI_Comm comm, const std::vector<std::byte>& out, int to, int from) {
+  const int dest = to < 0 ? MPI_PROC_NULL : to;
+  const int source = from < 0 ? MPI_PROC_NULL : from;
+  Index sizes[2] = {static_cast<Index>(out.size()), 0};
+  MPI_Sendrecv(&sizes[0], 1, MPI_INT64_T, dest, 0, &sizes[1], 1, MPI_INT64_T, source, 0, comm,
+               MPI_STATUS_IGNORE);
+  std::vector<std::byte> in(static_cast<std::size_t>(sizes[1]));
+  MPI_Sendrecv(out.data(), static_cast<int>(out.size()), MPI_BYTE, dest, 1, in.data(),
+               static_cast<int>(in.size()), MPI_BYTE, source, 1, comm, MPI_STATUS_IGNORE);
+  return in;
+}
+
+void pack(const Particles& p, const KeptContacts& kept, std::size_t i, std::vector<std::byte>& out) {
+  const auto contacts = kept.of(i);
+  const Traveller t{p.position[i],       p.velocity[i],        p.angular_velocity[i], p.force[i],
+                    p.torque[i],         p.external_force[i],  p.external_torque[i],  p.radius[i],
+                    p.mass[i],           p.id[i],              static_cast<std::uint32_t>(contacts.size()),
+                    p.species[i],        p.flags[i]};
+  put(out, &t);
+  put(out, contacts.data(), contacts.size());
+}
+
+void unpack(const std::vector<std::byte>& in, Particles& p, KeptContacts& kept) {
+  std::vector<KeptContact> contacts;
+  for (const std::byte* at = in.data(); at != in.data() + in.size();) {
+    Traveller t;
+    at = take(at, &t);
+    contacts.resize(t.contacts);
+    at = take(at, contacts.data(), contacts.size());
+    p.resize(p.owned + 1);
+    const std::size_t i = p.owned++;
+    p.position[i] = t.position, p.velocity[i] = t.velocity;
+    p.angular_velocity[i] = t.angular_velocity;
+    p.force[i] = t.force, p.torque[i] = t.torque;
+    p.external_force[i] = t.external_force, p.external_torque[i] = t.external_torque;
+    p.radius[i] = t.radius, p.mass[i] = t.mass, p.id[i] = t.id;
+    p.species[i] = t.species, p.flags[i] = t.flags;
+    p.set_fixed(i, (t.flags & flag::fixed) != 0);
+    kept.append(contacts);
+  }
+}
+
+}  // namespace
+
+Exchange::Exchange(const par::Communicator& comm, const Box& box, const Blocks& blocks)
+    : comm_(comm), box_(box), blocks_(blocks), here_(blocks.coordinates(comm.rank())) {
+  for (int a = 0; a < 3; ++a) {
+    const int parts = blocks_.ranks[a];
+    for (int side = 0; side < 2; ++side) {
+      const auto neighbour = [&](int step) {
+        Int3 there = here_;
+        there[a] += step;
+        if ((there[a] < 0 || there[a] >= parts) && !box_.periodic[a]) {
+          return -1;
+        }
+        there[a] = (there[a] + parts) % parts;
+        return blocks_.rank_at(there);
+      };
+      Leg& leg = legs_[a][side];
+      leg.to = neighbour(side == 0 ? -1 : +1);
+      leg.from = neighbour(side == 0 ? +1 : -1);
+      const bool crosses = here_[a] == (side == 0 ? 0 : parts - 1);
+      leg.shift = crosses ? (side == 0 ? 1 : -1) * box_.length(a) : 0;
+    }
+  }
+}
+
+bool Exchange::move_along(int axis, Particles& p, KeptContacts& kept) {
+  const int parts = blocks_.ranks[axis];
+  std::array<std::vector<std::byte>, 2> out;
+  std::vector<std::uint32_t> stay;
+  for (std::uint32_t i = 0; i < p.owned; ++i) {
+    int hops = blocks_.coordinates(blocks_.owner(p.position[i]))[axis] - here_[axis];
+    if (box_.periodic[axis] && 2 * std::abs(hops) > parts) {
+      hops -= hops > 0 ? parts : -parts;
+    }
+    if (hops == 0) {
+      stay.push_back(i);
+    } else {
+      pack(p, kept, i, out[hops < 0 ? 0 : 1]);
+    }
+  }
+  if (stay.size() < p.owned) {
+    p.reorder(stay), kept.reorder(stay);
+    p.owned = stay.size();
+  }
+  for (int side = 0; side < 2; ++side) {
+    const Leg& leg = legs_[axis][side];
+    unpack(pass_on(comm_.handle(), out[side], leg.to, leg.from), p, kept);
+    messages_ += leg.to >= 0 ? 1 : 0;
+  }
+  return !out[0].empty() || !out[1].empty();
+}
+
+void Exchange::migrate(Particles& p, KeptContacts& kept) {
+  for (std::size_t i = 0; i < p.owned; ++i) {
+    p.position[i] = box_.wrapped(p.position[i]);
+  }
+  bool travelled = comm_.size() > 1;
+  while (travelled) {  // twice as a rule: one block at a time until nobody moves
+    bool moved = false;
+    for (int a = 0; a < 3; ++a) {
+      moved = (blocks_.ranks[a] > 1 && move_along(a, p, kept)) || moved;
+    }
+    travelled = comm_.max(moved ? 1.0 : 0.0) > 0;
+  }
+}
+
+void Exchange::check_widths(Real range) const {
+  for (int a = 0; a < 3; ++a) {
+    const auto& cuts = blocks_.cuts[a];
+    Real width = box_.length(a) / (blocks_.ranks[a] == 1 ? 2 : 1);  // an image and its particle
+    for (std::size_t b = 0; blocks_.ranks[a] > 1 && b + 1 < cuts.size(); ++b) {
+      width = std::min(width, cuts[b + 1] - cuts[b]);
+    }
+    const bool cut = blocks_.ranks[a] > 1;
+    if ((cut || box_.periodic[a]) && width < range) {
+      throw InputError(fmt::format(
+          "the box is {:g} m long along {} in {} block(s): particles reach {:g} m; try {}",
+          box_.length(a), "xyz"[a], blocks_.ranks[a], range,
+          cut ? "fewer ranks" : "a longer box or one that is not periodic there"));
+    }
+  }
+}
+
+void Exchange::make_ghosts(Particles& p, Real reach) {
+  const Real largest = comm_.max(
+      p.owned == 0 ? 0.0 : *std::max_element(p.radius.begin(), p.radius.begin() + p.owned));
+  check_widths(2 * largest + reach);
+  for (int a = 0; a < 3; ++a) {
+    const std::size_t present = p.size();
+    for (int side = 0; side < 2; ++side) {
+      Leg& leg = legs_[a][side];
+      leg.sent.clear();
+      if (leg.to >= 0) {
+        const Real border = blocks_.cuts[a][here_[a] + side];
+        for (std::uint32_t i = 0; i < present; ++i) {
+          const Real depth = side == 0 ? p.position[i][a] - border : border - p.position[i][a];
+          if (depth < p.radius[i] + largest + reach) {
+            leg.sent.push_back(i);
+          }
+        }
+      }
+    }
+    for (int side = 0; side < 2; ++side) {
+      Leg& leg = legs_[a][side];
+      std::vector<std::byte> out;
+      for (const std::uint32_t i : leg.sent) {
+        const GhostParcel g{p.radius[i], p.mass[i], p.inverse_mass[i], p.inverse_inertia[i],
+                            p.id[i],     p.species[i], p.flags[i]};
+        put(out, &g);
+      }
+      const bool own = leg.to == comm_.rank() && leg.from == comm_.rank();
+      const auto in = own ? out : pass_on(comm_.handle(), out, leg.to, leg.from);
+      leg.first = p.size();
+      leg.count = in.size() / sizeof(GhostParcel);
+      p.resize(leg.first + leg.count);
+      const std::byte* at = in.data();
+      for (std::size_t i = leg.first; i < p.size(); ++i) {
+        GhostParcel g;
+        at = take(at, &g);
+        p.radius[i] = g.radius, p.mass[i] = g.mass, p.id[i] = g.id;
+        p.inverse_mass[i] = g.inverse_mass, p.inverse_inertia[i] = g.inverse_inertia;
+        p.species[i] = static_cast<std::uint16_t>(g.species);
+        p.flags[i] = static_cast<std::uint8_t>(g.flags);
+      }
+    }
+    refresh_axis(p, a);
+  }
+}
+
+void Exchange::refresh(Particles& p) {
+  for (int a = 0; a < 3; ++a) {
+    refresh_axis(p, a);
+  }
+}
+
+void Exchange::refresh_axis(Particles& p, int axis) {
+  constexpr int width = 9;
+  std::array<MPI_Request, 4> requests{MPI_REQUEST_NULL, MPI_REQUEST_NULL, MPI_REQUEST_NULL,
+                                      MPI_REQUEST_NULL};
+  const auto rank_or_null = [](int rank) { return rank < 0 ? MPI_PROC_NULL : rank; };
+  const auto tag = [](int side) { return 2 + side; };
+  for (int side = 0; side < 2; ++side) {
+    Leg& leg = legs_[axis][side];
+    Vec3 shift;
+    shift[axis] = leg.shift;
+    if (leg.to == comm_.rank()) {  // its own image
+      for (std::size_t k = 0; k < leg.sent.size(); ++k) {
+        const std::uint32_t i = leg.sent[k];
+        p.position[leg.first + k] = p.position[i] + shift;
+        p.velocity[leg.first + k] = p.velocity[i];
+        p.angular_velocity[leg.first + k] = p.angular_velocity[i];
+      }
+      continue;
+    }
+    leg.in.resize(width * leg.count);
+    MPI_Irecv(leg.in.data(), static_cast<int>(leg.in.size()), MPI_DOUBLE, rank_or_null(leg.from),
+              tag(side), comm_.handle(), &requests[2 * side]);
+    leg.out.resize(width * leg.sent.size());
+    Real* to = leg.out.data();
+    for (const std::uint32_t i : leg.sent) {
+      const std::array<Vec3, 3> values{p.position[i] + shift, p.velocity[i], p.angular_velocity[i]};
+      std::memcpy(to, values.data(), sizeof values);
+      to += width;
+    }
+    MPI_Isend(leg.out.data(), static_cast<int>(leg.out.size()), MPI_DOUBLE, rank_or_null(leg.to),
+              tag(side), comm_.handle(), &requests[2 * side + 1]);
+    messages_ += leg.to >= 0 ? 1 : 0;
+  }
+  MPI_Waitall(4, requests.data(), MPI_STATUSES_IGNORE);
+  for (const Leg& leg : legs_[axis]) {
+    if (leg.to == comm_.rank()) {
+      continue;
+    }
+    const Real* from = leg.in.data();
+    for (std::size_t k = leg.first; k < leg.first + leg.count; ++k, from += width) {
+      std::array<Vec3, 3> values;
+      std::memcpy(values.data(), from, sizeof values);
+      p.position[k] = values[0], p.velocity[k] = values[1], p.angular_velocity[k] = values[2];
+    }
+  }
+}
+
+}  // namespace porefines::dem
