@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <variant>
 
 #include "dem/material.hpp"
@@ -24,13 +25,17 @@ struct ContactHistory {
   Vec3 shear;               ///< [N] tangential spring force on i
   Real contact_radius = 0;  ///< [m] of the last step
   Vec3 rolling;             ///< [N m] rolling spring moment on i
-  Real normal_force = 0;  ///< [N] of the last step          (Mindlin-Deresiewicz only, as the rest)
-  Real unload = 0;        ///< [N] shear force at which the last unloading began
-  Real reload = 0;        ///< [N] shear force at which the last reloading began
-  Vec3 axis;              ///< direction of first slip
+  Real normal_force = 0;    ///< [N] of the last step     (this and the rest: partial slip only)
+  Real unload = 0;          ///< [N] shear force at which the last unloading began
+  Real reload = 0;          ///< [N] shear force at which the last reloading began
+  Vec3 axis;                ///< direction in which the contact was first sheared
+  Real branch = 0;          ///< 0 first loading, 1 unloading, 2 reloading
 };
 /// Length of the history as plain numbers.
 inline constexpr int history_size = sizeof(ContactHistory) / sizeof(Real);
+inline constexpr int basic_history = 7;  ///< without partial slip
+
+using HistoryNumbers = std::array<Real, history_size>;
 
 /// Force and couple on body i; j takes the opposite, at the same point.
 struct ContactForce {
@@ -60,7 +65,8 @@ struct NormalResponse {
 struct Hertz {
   bool cut_pull = false;
 
-  [[nodiscard]] NormalResponse operator()(const PairMaterial& pair, const ContactState& c) const {
+  [[nodiscard, gnu::always_inline]] NormalResponse operator()(const PairMaterial& pair,
+                                                              const ContactState& c) const {
     const Real a = std::sqrt(c.radius * c.overlap);
     const Real root = std::sqrt(a * c.mass);
     const Real closing = -dot(c.normal, c.slip);
@@ -68,6 +74,10 @@ struct Hertz {
         (4.0 / 3.0) * pair.modulus * a * c.overlap + pair.normal_viscous * root * closing;
     return {cut_pull ? std::max(force, 0.0) : force, 2 * pair.modulus * a, a, 8 * pair.shear * a,
             pair.shear_viscous * root};
+  }
+  /// [J] stored in the normal spring
+  [[nodiscard]] Real energy(const PairMaterial& pair, const ContactState& c) const {
+    return 8.0 / 15.0 * pair.modulus * std::sqrt(c.radius * c.overlap) * c.overlap * c.overlap;
   }
 };
 
@@ -79,19 +89,25 @@ struct LinearSpring {
   Real shear_ratio = 2.0 / 7;  ///< [-]
   bool cut_pull = false;
 
-  [[nodiscard]] NormalResponse operator()(const PairMaterial& pair, const ContactState& c) const {
+  [[nodiscard, gnu::always_inline]] NormalResponse operator()(const PairMaterial& pair,
+                                                              const ContactState& c) const {
     const Real viscous = 2 * pair.damping * std::sqrt(stiffness * c.mass);
     const Real force = stiffness * c.overlap - viscous * dot(c.normal, c.slip);
     return {cut_pull ? std::max(force, 0.0) : force, stiffness, std::sqrt(c.radius * c.overlap),
             shear_ratio * stiffness, viscous * std::sqrt(shear_ratio)};
   }
+  [[nodiscard]] Real energy(const PairMaterial& /*pair*/, const ContactState& c) const {
+    return stiffness * c.overlap * c.overlap / 2;
+  }
 };
 
 /// No tangential force.
 struct Frictionless {
-  [[nodiscard]] Vec3 operator()(const PairMaterial& /*pair*/, const ContactState& /*contact*/,
-                                const NormalResponse& /*normal*/, Real /*dt*/,
-                                ContactHistory& /*history*/) const {
+  static constexpr int memory = 0;
+  [[nodiscard, gnu::always_inline]] Vec3 operator()(const PairMaterial& /*pair*/,
+                                                    const ContactState& /*contact*/,
+                                                    const NormalResponse& /*normal*/, Real /*dt*/,
+                                                    ContactHistory& /*history*/) const {
     return {};
   }
 };
@@ -105,8 +121,10 @@ struct Frictionless {
 /// Where the normal force pulls (see Hertz) there is no friction. T turns with the contact plane.
 /// Refs: Mindlin 1949; Thornton, Cummins & Cleary 2011; thesis eq. 3b. Tests: verification/friction.
 struct Mindlin {
-  [[nodiscard]] Vec3 operator()(const PairMaterial& pair, const ContactState& c,
-                                const NormalResponse& normal, Real dt, ContactHistory& h) const {
+  static constexpr int memory = 4;
+  [[nodiscard, gnu::always_inline]] Vec3 operator()(const PairMaterial& pair, const ContactState& c,
+                                                    const NormalResponse& normal, Real dt,
+                                                    ContactHistory& h) const {
     const Real cap = pair.sliding * std::max(normal.force, 0.0);
     const Vec3 v = c.slip - dot(c.slip, c.normal) * c.normal;
     const bool parting = normal.contact_radius < h.contact_radius;
@@ -121,7 +139,7 @@ struct Mindlin {
   }
 
   /// The factor in [0, 1] that brings a force within its cap.
-  [[nodiscard]] static Real shrink(const Vec3& force, Real cap) {
+  [[nodiscard, gnu::always_inline]] static Real shrink(const Vec3& force, Real cap) {
     const Real size = std::sqrt(dot(force, force));
     return size > cap ? cap / size : 1.0;
   }
@@ -129,9 +147,11 @@ struct Mindlin {
 
 /// No rolling resistance.
 struct FreeRolling {
-  [[nodiscard]] Vec3 operator()(const PairMaterial& /*pair*/, const ContactState& /*contact*/,
-                                const NormalResponse& /*normal*/, Real /*dt*/,
-                                ContactHistory& /*history*/) const {
+  static constexpr int memory = 0;
+  [[nodiscard, gnu::always_inline]] Vec3 operator()(const PairMaterial& /*pair*/,
+                                                    const ContactState& /*contact*/,
+                                                    const NormalResponse& /*normal*/, Real /*dt*/,
+                                                    ContactHistory& /*history*/) const {
     return {};
   }
 };
@@ -140,9 +160,10 @@ struct FreeRolling {
 /// the normal), no larger than what stops the rotation within the step.
 /// Ref: Ai, Chen, Rotter & Ooi 2011, model A. Test: verification/friction.
 struct ConstantTorque {
-  [[nodiscard]] Vec3 operator()(const PairMaterial& pair, const ContactState& c,
-                                const NormalResponse& normal, Real dt,
-                                ContactHistory& /*history*/) const {
+  static constexpr int memory = 0;
+  [[nodiscard, gnu::always_inline]] Vec3 operator()(const PairMaterial& pair, const ContactState& c,
+                                                    const NormalResponse& normal, Real dt,
+                                                    ContactHistory& /*history*/) const {
     const Vec3 w = c.spin - dot(c.spin, c.normal) * c.normal;
     const Real cap = pair.rolling * c.radius * std::max(normal.force, 0.0);
     const Real stopping = c.inertia / dt;
@@ -158,8 +179,10 @@ struct ConstantTorque {
 ///
 /// Ref: Iwashita & Oda 1998; Ai, Chen, Rotter & Ooi 2011, model C. Test: verification/friction.
 struct RollingSpring {
-  [[nodiscard]] Vec3 operator()(const PairMaterial& pair, const ContactState& c,
-                                const NormalResponse& normal, Real dt, ContactHistory& h) const {
+  static constexpr int memory = 7;
+  [[nodiscard, gnu::always_inline]] Vec3 operator()(const PairMaterial& pair, const ContactState& c,
+                                                    const NormalResponse& normal, Real dt,
+                                                    ContactHistory& h) const {
     const Vec3 w = c.spin - dot(c.spin, c.normal) * c.normal;
     const Real arm = pair.rolling * c.radius;
     const Real cap = arm * std::max(normal.force, 0.0);
@@ -182,10 +205,13 @@ struct ContactLaw {
   Normal normal;
   Tangential tangential;
   Rolling rolling;
+  /// Leading numbers of ContactHistory that the models use.
+  static constexpr int memory = std::max(Tangential::memory, Rolling::memory);
 
   /// @param dt  [s] step over which the springs stretch; 0 leaves them
-  [[nodiscard]] ContactForce operator()(const PairMaterial& pair, const ContactState& contact,
-                                        Real dt, ContactHistory& history) const {
+  [[nodiscard, gnu::always_inline]] ContactForce operator()(const PairMaterial& pair,
+                                                            const ContactState& contact, Real dt,
+                                                            ContactHistory& history) const {
     const NormalResponse response = normal(pair, contact);
     ContactForce out;
     out.force = tangential(pair, contact, response, dt, history);
@@ -211,6 +237,11 @@ decltype(auto) with_law(const ContactModel& model, const Use& use) {
         return use(ContactLaw{normal, tangential, rolling});
       },
       model.normal, model.tangential, model.rolling);
+}
+
+/// Numbers of ContactHistory that the model uses.
+[[nodiscard]] inline int history_length(const ContactModel& model) {
+  return with_law(model, [](const auto& law) { return std::decay_t<decltype(law)>::memory; });
 }
 
 }  // namespace porefines::dem

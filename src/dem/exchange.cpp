@@ -40,7 +40,7 @@ void put(std::vector<std::byte>& out, const T* data, std::size_t count = 1) {
 
 template <typename T>
 const std::byte* take(const std::byte* from, T* data, std::size_t count = 1) {
-  std::memcpy(data, from, sizeof(T) * count);
+  std::memcpy(static_cast<void*>(data), from, sizeof(T) * count);
   return from + sizeof(T) * count;
 }
 
@@ -57,12 +57,22 @@ std::vector<std::byte> pass_on(MPI_Comm comm, const std::vector<std::byte>& out,
   return in;
 }
 
-void pack(const Particles& p, const KeptContacts& kept, std::size_t i, std::vector<std::byte>& out) {
+void pack(const Particles& p, const KeptContacts& kept, std::size_t i,
+          std::vector<std::byte>& out) {
   const auto contacts = kept.of(i);
-  const Traveller t{p.position[i],       p.velocity[i],        p.angular_velocity[i], p.force[i],
-                    p.torque[i],         p.external_force[i],  p.external_torque[i],  p.radius[i],
-                    p.mass[i],           p.id[i],              static_cast<std::uint32_t>(contacts.size()),
-                    p.species[i],        p.flags[i]};
+  const Traveller t{p.position[i],
+                    p.velocity[i],
+                    p.angular_velocity[i],
+                    p.force[i],
+                    p.torque[i],
+                    p.external_force[i],
+                    p.external_torque[i],
+                    p.radius[i],
+                    p.mass[i],
+                    p.id[i],
+                    static_cast<std::uint32_t>(contacts.size()),
+                    p.species[i],
+                    p.flags[i]};
   put(out, &t);
   put(out, contacts.data(), contacts.size());
 }
@@ -193,7 +203,7 @@ void Exchange::make_ghosts(Particles& p, Real reach) {
       Leg& leg = legs_[a][side];
       std::vector<std::byte> out;
       for (const std::uint32_t i : leg.sent) {
-        const GhostParcel g{p.radius[i], p.mass[i], p.inverse_mass[i], p.inverse_inertia[i],
+        const GhostParcel g{p.radius[i], p.mass[i],    p.inverse_mass[i], p.inverse_inertia[i],
                             p.id[i],     p.species[i], p.flags[i]};
         put(out, &g);
       }
@@ -247,9 +257,10 @@ void Exchange::refresh_axis(Particles& p, int axis) {
     leg.out.resize(width * leg.sent.size());
     Real* to = leg.out.data();
     for (const std::uint32_t i : leg.sent) {
-      const std::array<Vec3, 3> values{p.position[i] + shift, p.velocity[i], p.angular_velocity[i]};
-      std::memcpy(to, values.data(), sizeof values);
-      to += width;
+      for (const Vec3& v : {p.position[i] + shift, p.velocity[i], p.angular_velocity[i]}) {
+        to[0] = v.x, to[1] = v.y, to[2] = v.z;
+        to += 3;
+      }
     }
     MPI_Isend(leg.out.data(), static_cast<int>(leg.out.size()), MPI_DOUBLE, rank_or_null(leg.to),
               tag(side), comm_.handle(), &requests[2 * side + 1]);
@@ -262,9 +273,9 @@ void Exchange::refresh_axis(Particles& p, int axis) {
     }
     const Real* from = leg.in.data();
     for (std::size_t k = leg.first; k < leg.first + leg.count; ++k, from += width) {
-      std::array<Vec3, 3> values;
-      std::memcpy(values.data(), from, sizeof values);
-      p.position[k] = values[0], p.velocity[k] = values[1], p.angular_velocity[k] = values[2];
+      p.position[k] = {from[0], from[1], from[2]};
+      p.velocity[k] = {from[3], from[4], from[5]};
+      p.angular_velocity[k] = {from[6], from[7], from[8]};
     }
   }
 }

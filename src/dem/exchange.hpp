@@ -38,9 +38,10 @@ class Exchange {
   /// One direction along one axis: what leaves across this block's low (high) border arrives across
   /// the neighbour's high (low) border.
   struct Leg {
-    int to = -1;    ///< rank, or -1 for a border that nothing crosses
+    int to = -1;  ///< rank, or -1 for a border that nothing crosses
     int from = -1;
-    Real shift = 0;  ///< [m] added to the position of what is sent: +-length across a periodic border
+    Real shift =
+        0;  ///< [m] added to the position of what is sent: +-length across a periodic border
     std::vector<std::uint32_t> sent;
     std::size_t first = 0;  ///< ghosts that it delivers
     std::size_t count = 0;

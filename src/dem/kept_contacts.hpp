@@ -15,11 +15,12 @@ namespace porefines::dem {
 struct KeptContact {
   std::uint64_t partner = 0;  ///< id of the other particle, or wall_partner
   ContactHistory history;     ///< as body i = the carrier sees it
+  Vec3 normal;                ///< of the last step, on walls: several touches may share a feature
 };
 
-/// Names the place on a wall that a particle touches. Ids of particles stay below 2^63.
-[[nodiscard]] constexpr std::uint64_t wall_partner(std::uint32_t wall, std::uint32_t feature) {
-  return std::uint64_t{1} << 63 | std::uint64_t{wall} << 32 | feature;
+/// Names a touch's feature among the partners. Ids of particles stay below 2^63.
+[[nodiscard]] constexpr std::uint64_t wall_partner(std::uint32_t feature) {
+  return std::uint64_t{1} << 63 | feature;
 }
 
 /// The same history seen by the other body.

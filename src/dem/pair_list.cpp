@@ -70,7 +70,8 @@ SizeGrid make_grid(const Particles& p, const std::vector<std::uint32_t>& members
   for (std::size_t c = 1; c < g.start.size(); ++c) {
     g.start[c] += g.start[c - 1];
   }
-  g.index.resize(members.size()), g.position.resize(members.size()), g.radius.resize(members.size());
+  g.index.resize(members.size()), g.position.resize(members.size()),
+      g.radius.resize(members.size());
   std::vector<std::uint32_t> next(g.start.begin(), g.start.end() - 1);
   for (std::size_t m = 0; m < members.size(); ++m) {
     const std::uint32_t at = next[cell[m]]++;

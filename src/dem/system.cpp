@@ -2,32 +2,81 @@
 #include "dem/system.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "dem/motion.hpp"
 
 namespace porefines::dem {
 
-System::System(const par::Communicator& comm, Settings settings)
-    : comm_(comm), settings_(std::move(settings)) {}
+namespace {
 
-void System::insert(std::span<const Body> bodies) {
-  for (const Body& body : bodies) {
-    if (!(body.radius > 0) || !(body.density > 0)) {
-      throw InputError(
-          fmt::format("particle {}: radius {:g} m, density {:g} kg/m^3: both must be "
-                      "positive",
-                      body.id, body.radius, body.density));
-    }
-    if (settings_.blocks.owner(settings_.box.wrapped(body.position)) == comm_.rank()) {
-      particles_.append(body);
+/// Share of the mean diameter that pairs are listed beyond contact.
+constexpr Real default_skin = 0.1;
+/// Steps that a narrowed list should last.
+constexpr Real narrow_steps = 32;
+
+Settings completed(Settings settings, const par::Communicator& comm) {
+  if (settings.blocks.cuts[0].empty()) {
+    settings.blocks = even_blocks(settings.box, comm.size());
+  }
+  settings.wall_species.resize(settings.walls.size(), 0);
+  for (const std::uint16_t species : settings.wall_species) {
+    if (species >= settings.materials.count()) {
+      throw InputError(fmt::format("a wall is of species {}, but there are {}: number them from 0",
+                                   species, settings.materials.count()));
     }
   }
-  lists_hold_ = false;
+  return settings;
+}
+
+void check(const Body& body, const Settings& settings) {
+  if (!(body.radius > 0) || !(body.density > 0)) {
+    throw InputError(
+        fmt::format("particle {}: radius {:g} m, density {:g} kg/m^3: both must be positive",
+                    body.id, body.radius, body.density));
+  }
+  if (body.species >= settings.materials.count()) {
+    throw InputError(fmt::format("particle {}: species {}, but there are {}: number them from 0",
+                                 body.id, body.species, settings.materials.count()));
+  }
+  for (int a = 0; a < 3; ++a) {
+    const Real x = body.position[a];
+    const bool inside = x >= settings.box.low[a] && x <= settings.box.high[a];
+    if (!std::isfinite(x) || (!inside && !settings.box.periodic[a])) {
+      throw InputError(fmt::format("particle {}: {} = {:g} m is outside the box [{:g}, {:g}]",
+                                   body.id, "xyz"[a], x, settings.box.low[a],
+                                   settings.box.high[a]));
+    }
+  }
+}
+
+}  // namespace
+
+System::System(const par::Communicator& comm, Settings settings)
+    : comm_(comm),
+      settings_(completed(std::move(settings), comm)),
+      exchange_(comm, settings_.box, settings_.blocks),
+      pairs_(history_length(settings_.model)),
+      walls_(settings_.walls, settings_.wall_species, history_length(settings_.model)) {}
+
+void System::insert(std::span<const Body> bodies) {
+  keep_contacts();
+  for (const Body& body : bodies) {
+    check(body, settings_);
+    Body inside = body;
+    inside.position = settings_.box.wrapped(body.position);
+    if (settings_.blocks.owner(inside.position) == comm_.rank()) {
+      particles_.append(inside);
+      kept_.append({});
+    }
+  }
 }
 
 Index System::remove(const std::function<bool(const Particles&, std::size_t)>& gone) {
+  keep_contacts();
   std::vector<std::uint32_t> order;
   for (std::size_t i = 0; i < particles_.owned; ++i) {
     if (!gone(particles_, i)) {
@@ -35,101 +84,178 @@ Index System::remove(const std::function<bool(const Particles&, std::size_t)>& g
     }
   }
   const std::size_t left = particles_.owned - order.size();
-  particles_.reorder(order);
+  particles_.reorder(order), kept_.reorder(order);
   particles_.owned = order.size();
-  lists_hold_ = false;
   return static_cast<Index>(left);
 }
 
 void System::rebuild() {
-  lists_hold_ = false;
-}
-
-void System::find_pairs() {
-  pairs_.clear();
-  for (std::uint32_t i = 0; i < particles_.owned; ++i) {
-    for (std::uint32_t j = i + 1; j < particles_.owned; ++j) {
-      pairs_.push_back({i, j, {}});
-    }
-  }
-  lists_hold_ = true;
-  ++work_.rebuilds;
-}
-
-void System::contact_forces(Real dt) {
-  Particles& p = particles_;
-  std::fill(p.force.begin(), p.force.end(), Vec3{});
-  std::fill(p.torque.begin(), p.torque.end(), Vec3{});
-  with_law(settings_.model, [&](const auto& law) {
-    for (auto& [i, j, history] : pairs_) {
-      const Vec3 d = p.position[i] - p.position[j];
-      const Real distance = norm(d);
-      ContactState c;
-      c.overlap = p.radius[i] + p.radius[j] - distance;
-      if (c.overlap <= 0) {
-        history = {};
-        continue;
-      }
-      c.normal = d / distance;
-      const Real arm_i = p.radius[i] - c.overlap / 2;
-      const Real arm_j = p.radius[j] - c.overlap / 2;
-      c.slip = p.velocity[i] - p.velocity[j] -
-               cross(arm_i * p.angular_velocity[i] + arm_j * p.angular_velocity[j], c.normal);
-      c.spin = p.angular_velocity[i] - p.angular_velocity[j];
-      c.radius = p.radius[i] * p.radius[j] / (p.radius[i] + p.radius[j]);
-      c.mass = 1 / (p.inverse_mass[i] + p.inverse_mass[j]);
-      c.inertia = 1 / (p.inverse_inertia[i] + p.inverse_inertia[j]);
-      const PairMaterial& pair = settings_.materials.pair(p.species[i], p.species[j]);
-      const ContactForce f = law(pair, c, dt, history);
-      p.force[i] += f.force;
-      p.force[j] -= f.force;
-      const Vec3 turning = cross(c.normal, f.force);
-      p.torque[i] += f.couple - arm_i * turning;
-      p.torque[j] -= f.couple + arm_j * turning;
-      largest_overlap_ = std::max(largest_overlap_, c.overlap / std::min(p.radius[i], p.radius[j]));
-    }
-  });
+  keep_contacts();
+  forces_hold_ = false;
 }
 
 void System::advance(Real dt, Index steps) {
-  Particles& p = particles_;
-  const auto kick = [&] {
-    for (std::size_t i = 0; i < p.owned; ++i) {
-      const Vec3 g = p.is_fixed(i) ? Vec3{} : settings_.gravity;
-      p.velocity[i] += dt / 2 * (p.inverse_mass[i] * (p.force[i] + p.external_force[i]) + g);
-      p.angular_velocity[i] += dt / 2 * p.inverse_inertia[i] * (p.torque[i] + p.external_torque[i]);
-    }
-  };
-  for (Index step = 0; step < steps; ++step, ++work_.steps) {
-    kick();
-    for (std::size_t i = 0; i < p.owned; ++i) {
-      p.position[i] += dt * p.velocity[i];
-    }
-    if (!lists_hold_) {
-      find_pairs();
-    }
+  if (steps == 0) {
+    return;
+  }
+  prepare();
+  for (Index step = 0; step < steps; ++step) {
+    const int kicks = step == 0 ? 1 : 2;
+    const Real speed_squared = kick_and_drift(particles_, settings_.gravity, dt, kicks, true);
+    walls_.advance(dt);
+    update_lists(std::sqrt(speed_squared), dt);
     contact_forces(dt);
-    kick();
+    ++work_.steps;
+  }
+  kick_and_drift(particles_, settings_.gravity, dt, 1, false);
+  check_walls();
+}
+
+void System::update_lists(Real fastest, Real dt) {
+  fastest = std::max(fastest, walls_.largest_speed());
+  fastest = comm_.size() > 1 ? comm_.max(fastest) : fastest;
+  if (!std::isfinite(fastest)) {
+    throw RunError(fmt::format(
+        "a particle's velocity is no longer a number at step {} ({:g} s a step): try a smaller "
+        "step, or look for particles that start deep inside each other",
+        work_.steps, dt));
+  }
+  moved_per_step_ = fastest * dt;
+  moved_ += moved_per_step_;
+  moved_narrow_ += moved_per_step_;
+  if (2 * moved_ > skin_) {
+    keep_contacts();
+    build_lists(true);
+    return;
+  }
+  exchange_.refresh(particles_);
+  if (2 * moved_narrow_ > window_) {
+    narrow_lists();
   }
 }
 
-Real System::largest_overlap() const {
-  return comm_.max(largest_overlap_);
+void System::contact_forces(Real dt) {
+  pairs_.add_forces(settings_.model, settings_.materials, dt, particles_);
+  if (!walls_.empty()) {
+    walls_.add_forces(settings_.model, settings_.materials, dt, particles_);
+  }
 }
 
-Totals System::totals() const {
-  Totals t;
-  const Particles& p = particles_;
-  for (std::size_t i = 0; i < p.owned; ++i) {
-    t.particles += 1;
-    t.momentum += p.mass[i] * p.velocity[i];
-    t.angular_momentum +=
-        p.mass[i] * cross(p.position[i], p.velocity[i]) + p.inertia(i) * p.angular_velocity[i];
-    t.kinetic += 0.5 * p.mass[i] * dot(p.velocity[i], p.velocity[i]);
-    t.rotational += 0.5 * p.inertia(i) * dot(p.angular_velocity[i], p.angular_velocity[i]);
-    t.potential -= p.mass[i] * dot(settings_.gravity, p.position[i]);
+void System::prepare() {
+  if (comm_.max(lists_hold_ ? 0.0 : 1.0) > 0) {
+    keep_contacts();
+    build_lists(true);
   }
-  return t;
+  if (comm_.max(forces_hold_ ? 0.0 : 1.0) > 0) {
+    std::fill(particles_.force.begin(), particles_.force.end(), Vec3{});
+    std::fill(particles_.torque.begin(), particles_.torque.end(), Vec3{});
+    contact_forces(0);
+    forces_hold_ = true;
+  }
+}
+
+/// Hands the history of every contact to its particles and drops lists and ghosts.
+void System::keep_contacts() {
+  if (!lists_hold_) {
+    return;
+  }
+  kept_ = save().contacts;
+  particles_.resize(particles_.owned);
+  pairs_.clear();
+  lists_hold_ = false;
+}
+
+void System::build_lists(bool sort) {
+  if (skin_ == 0) {
+    Real radii = 0;
+    for (std::size_t i = 0; i < particles_.owned; ++i) {
+      radii += particles_.radius[i];
+    }
+    const Index count = comm_.sum(static_cast<Index>(particles_.owned));
+    const Real mean = count == 0 ? 0 : 2 * comm_.sum(radii) / static_cast<Real>(count);
+    skin_ = settings_.skin > 0 ? settings_.skin : default_skin * mean;
+  }
+  if (sort) {
+    exchange_.migrate(particles_, kept_);
+    const Real largest = particles_.owned == 0 ? 0.0
+                                               : *std::max_element(particles_.radius.begin(),
+                                                                   particles_.radius.end());
+    const auto order = spatial_order(particles_, 2 * largest + skin_);
+    particles_.reorder(order), kept_.reorder(order);
+    moved_ = 0;
+  }
+  exchange_.make_ghosts(particles_, skin_ + 2 * moved_);
+  pairs_.build(particles_, skin_, kept_);
+  walls_.build(particles_, skin_, kept_);
+  lists_hold_ = true;
+  ++work_.rebuilds;
+  work_.listed_pairs = static_cast<Index>(pairs_.list().size());
+  narrow_lists();
+}
+
+void System::narrow_lists() {
+  const Real left = skin_ - 2 * moved_;
+  window_ = std::min(left, std::max(2 * narrow_steps * moved_per_step_, skin_ / 16));
+  moved_narrow_ = 0;
+  pairs_.narrow(particles_, window_);
+  walls_.narrow(particles_, window_);
+  ++work_.narrowings;
+}
+
+Snapshot System::save() const {
+  Snapshot s;
+  s.particles = particles_;
+  s.particles.resize(particles_.owned);
+  s.walls = walls_.surfaces();
+  s.skin = skin_, s.moved = moved_;
+  if (!lists_hold_) {
+    s.contacts = kept_;
+    return s;
+  }
+  std::vector<std::pair<std::uint32_t, KeptContact>> found;
+  pairs_.for_touching([&](std::uint32_t i, std::uint32_t j, const ContactHistory& history) {
+    found.push_back({i, {particles_.id[j], history, {}}});
+    if (j < particles_.owned) {
+      found.push_back({j, {particles_.id[i], seen_by_partner(history), {}}});
+    }
+  });
+  walls_.for_touching([&](std::uint32_t i, const KeptContact& contact) {
+    found.push_back({i, contact});
+  });
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::size_t next = 0;
+  for (std::uint32_t i = 0; i < particles_.owned; ++i) {
+    while (next < found.size() && found[next].first == i) {
+      s.contacts.entries.push_back(found[next++].second);
+    }
+    s.contacts.append({});
+  }
+  return s;
+}
+
+void System::restore(Snapshot snapshot, bool same_ranks) {
+  particles_ = std::move(snapshot.particles);
+  kept_ = std::move(snapshot.contacts);
+  walls_ = WallContacts(snapshot.walls, settings_.wall_species, history_length(settings_.model));
+  skin_ = snapshot.skin;
+  moved_ = snapshot.moved;
+  lists_hold_ = false;
+  forces_hold_ = true;
+  if (same_ranks) {
+    build_lists(false);
+  }
+}
+
+void System::check_walls() const {
+  const Index stuck = walls_.trouble().lost + walls_.trouble().uncovered;
+  const Index anywhere = walls_.empty() ? 0 : comm_.sum(stuck);
+  if (anywhere > 0) {
+    throw RunError(fmt::format(
+        "{} contacts with walls could not be found: more than {} touches on one particle, or a "
+        "particle beyond the known part of the grains",
+        anywhere, TouchList::capacity));
+  }
 }
 
 }  // namespace porefines::dem

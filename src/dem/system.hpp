@@ -7,7 +7,11 @@
 
 #include "dem/box.hpp"
 #include "dem/contact_law.hpp"
+#include "dem/exchange.hpp"
+#include "dem/kept_contacts.hpp"
+#include "dem/pair_contacts.hpp"
 #include "dem/particles.hpp"
+#include "dem/wall_contacts.hpp"
 #include "par/communicator.hpp"
 
 namespace porefines::dem {
@@ -18,7 +22,9 @@ struct Settings {
   Blocks blocks;  ///< one per rank: make_blocks (the flow's) or even_blocks
   MaterialTable materials;
   ContactModel model;
-  Vec3 gravity;   ///< [m/s^2]
+  Surfaces walls;  ///< whole on every rank, or what its block and the reach of its particles need
+  std::vector<std::uint16_t> wall_species;  ///< material of each wall; empty: all species 0
+  Vec3 gravity;                             ///< [m/s^2]
   Real skin = 0;  ///< [m] pairs nearer than this are listed; 0: a tenth of the mean diameter
 };
 
@@ -39,8 +45,19 @@ struct Totals {
 struct Work {
   Index steps = 0;
   Index rebuilds = 0;      ///< of the neighbour lists
+  Index narrowings = 0;    ///< of the list of pairs that may touch soon
   Index listed_pairs = 0;  ///< in the present lists
   Index messages = 0;
+};
+
+/// Everything that a run needs to go on: N + N steps equal 2 N steps bit for bit on the same number
+/// of ranks. On another number the particles find their new owners and the sums agree to round-off.
+struct Snapshot {
+  Particles particles;  ///< owned ones, in their present order
+  KeptContacts contacts;
+  Surfaces walls;
+  Real skin = 0;   ///< [m]
+  Real moved = 0;  ///< [m] farthest way since the lists were built
 };
 
 /// One touching pair, for output.
@@ -76,8 +93,12 @@ class System {
   /// @throws RunError when a particle's speed is no longer a number
   void advance(Real dt, Index steps);
 
-  /// Tells the system that positions, radii or species were changed from outside; collective.
+  /// Tells the system that positions, radii, species or fixed flags were changed from outside.
   void rebuild();
+
+  [[nodiscard]] Snapshot save() const;
+  /// Goes on from a snapshot; collective. @param same_ranks  saved by this rank of as many ranks
+  void restore(Snapshot snapshot, bool same_ranks);
 
   [[nodiscard]] Particles& particles() { return particles_; }
   [[nodiscard]] const Particles& particles() const { return particles_; }
@@ -85,7 +106,14 @@ class System {
 
   /// Largest overlap divided by the smaller radius seen since the last reset; collective.
   [[nodiscard]] Real largest_overlap() const;
-  void reset_largest_overlap() { largest_overlap_ = 0; }
+  void reset_largest_overlap();
+
+  /// [s] shortest duration of an impact at this closing speed [m/s]; collective.
+  /// A step is a fraction of it: 1/30 unless there is a reason (thesis eq. 14).
+  [[nodiscard]] Real contact_duration(Real speed) const;
+
+  /// What surfaces could not answer on this rank so far; lost and uncovered also stop advance().
+  [[nodiscard]] const WallTrouble& wall_trouble() const { return walls_.trouble(); }
 
   [[nodiscard]] Totals totals() const;  ///< collective
   [[nodiscard]] const Work& work() const { return work_; }
@@ -93,20 +121,28 @@ class System {
   [[nodiscard]] std::vector<ContactRecord> contacts() const;
 
  private:
-  struct Pair {
-    std::uint32_t i;
-    std::uint32_t j;
-    ContactHistory history;
-  };
-  void find_pairs();
+  void keep_contacts();
+  void build_lists(bool sort);
+  void narrow_lists();
+  void update_lists(Real fastest, Real dt);
   void contact_forces(Real dt);
+  void prepare();
+  void check_walls() const;
 
   par::Communicator comm_;
   Settings settings_;
+  Exchange exchange_;
   Particles particles_;
-  std::vector<Pair> pairs_;
+  KeptContacts kept_;
+  PairContacts pairs_;
+  WallContacts walls_;
   bool lists_hold_ = false;
-  Real largest_overlap_ = 0;
+  bool forces_hold_ = false;
+  Real skin_ = 0;
+  Real moved_ = 0;         ///< [m] since the lists were built, at most, by any particle
+  Real window_ = 0;        ///< [m] pairs nearer than this were kept by the last narrowing
+  Real moved_narrow_ = 0;  ///< [m] since then
+  Real moved_per_step_ = 0;
   Work work_;
 };
 

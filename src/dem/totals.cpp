@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MPL-2.0
+// Sums over particles and contacts: System's queries.
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+#include "dem/pair_state.hpp"
+#include "dem/system.hpp"
+
+namespace porefines::dem {
+
+namespace {
+
+/// Energy in the springs of one contact; partial slip is counted as if it were elastic.
+Real stored(const ContactModel& model, const PairMaterial& pair, const ContactState& c,
+            const ContactHistory& h) {
+  const NormalResponse r = std::visit([&](const auto& n) { return n(pair, c); }, model.normal);
+  Real energy = std::visit([&](const auto& n) { return n.energy(pair, c); }, model.normal);
+  if (r.shear_stiffness > 0) {
+    energy += dot(h.shear, h.shear) / (2 * r.shear_stiffness);
+  }
+  const Real arm = pair.rolling * c.radius;
+  const Real rolling_stiffness = 2.25 * r.stiffness * arm * arm;
+  return rolling_stiffness > 0 ? energy + dot(h.rolling, h.rolling) / (2 * rolling_stiffness)
+                               : energy;
+}
+
+/// What is summed over ranks, as plain numbers.
+struct Sums {
+  std::array<Real, 13> values{};
+  void add(int at, const Vec3& v) {
+    values[at] += v.x, values[at + 1] += v.y, values[at + 2] += v.z;
+  }
+};
+
+}  // namespace
+
+Totals System::totals() const {
+  const Particles& p = particles_;
+  Sums sums;
+  auto& [particles, contacts, wall_contacts, mx, my, mz, ax, ay, az, kinetic, rotational, elastic,
+         potential] = sums.values;
+  particles = static_cast<Real>(p.owned);
+  for (std::size_t i = 0; i < p.owned; ++i) {
+    sums.add(3, p.mass[i] * p.velocity[i]);
+    sums.add(
+        6, p.mass[i] * cross(p.position[i], p.velocity[i]) + p.inertia(i) * p.angular_velocity[i]);
+    kinetic += 0.5 * p.mass[i] * dot(p.velocity[i], p.velocity[i]);
+    rotational += 0.5 * p.inertia(i) * dot(p.angular_velocity[i], p.angular_velocity[i]);
+    potential -= p.mass[i] * dot(settings_.gravity, p.position[i]);
+  }
+  pairs_.for_touching([&](std::uint32_t i, std::uint32_t j, const ContactHistory& history) {
+    const Real share = j < p.owned ? 1 : 0.5;  // the other half is on the ghost's owner
+    contacts += share;
+    const PairMaterial& pair = settings_.materials.pair(p.species[i], p.species[j]);
+    elastic += share * stored(settings_.model, pair, pair_state(p, i, j), history);
+  });
+  walls_.for_contacts(p, settings_.materials,
+                      [&](std::uint32_t /*i*/, const PairMaterial& pair, const ContactState& c,
+                          const ContactHistory& h, Real share, std::uint32_t /*feature*/) {
+                        wall_contacts += 1;
+                        elastic += share * stored(settings_.model, pair, c, h);
+                      });
+  comm_.sum(sums.values);
+  return {static_cast<Index>(std::llround(particles)),
+          static_cast<Index>(std::llround(contacts)),
+          static_cast<Index>(std::llround(wall_contacts)),
+          {mx, my, mz},
+          {ax, ay, az},
+          kinetic,
+          rotational,
+          elastic,
+          potential};
+}
+
+std::vector<ContactRecord> System::contacts() const {
+  const Particles& p = particles_;
+  std::vector<ContactRecord> records;
+  with_law(settings_.model, [&](const auto& law) {
+    pairs_.for_touching([&](std::uint32_t i, std::uint32_t j, ContactHistory history) {
+      const PairMaterial& pair = settings_.materials.pair(p.species[i], p.species[j]);
+      const ContactState c = pair_state(p, i, j);
+      const ContactForce f = law(pair, c, 0, history);
+      records.push_back({p.id[i], p.id[j], false, c.normal, c.overlap, f.force});
+    });
+    walls_.for_contacts(
+        p, settings_.materials,
+        [&](std::uint32_t i, const PairMaterial& pair, const ContactState& c, ContactHistory h,
+            Real share, std::uint32_t feature) {
+          const ContactForce f = law(pair, c, 0, h);
+          records.push_back({p.id[i], feature, true, c.normal, c.overlap, share * f.force});
+        });
+  });
+  return records;
+}
+
+Real System::largest_overlap() const {
+  return comm_.max(std::max(pairs_.largest_overlap(), walls_.largest_overlap()));
+}
+
+void System::reset_largest_overlap() {
+  pairs_.reset_largest_overlap();
+  walls_.reset_largest_overlap();
+}
+
+Real System::contact_duration(Real speed) const {
+  Real shortest = 1e300;
+  const Particles& p = particles_;
+  const auto duration = [&](const PairMaterial& pair, Real mass, Real radius) {
+    if (const auto* linear = std::get_if<LinearSpring>(&settings_.model.normal)) {
+      return std::numbers::pi * std::sqrt(mass / linear->stiffness);
+    }
+    return 2.868266 * std::pow(mass * mass / (radius * pair.modulus * pair.modulus * speed), 0.2);
+  };
+  for (std::size_t i = 0; i < p.owned; ++i) {  // a pair's duration lies between those with a twin
+    for (int other = 0; other < settings_.materials.count(); ++other) {
+      const PairMaterial& pair = settings_.materials.pair(p.species[i], other);
+      shortest = std::min(shortest, duration(pair, p.mass[i] / 2, p.radius[i] / 2));
+    }
+  }
+  return comm_.min(shortest);
+}
+
+}  // namespace porefines::dem

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MPL-2.0
+#include "dem/wall_contacts.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "dem/contact_batch.hpp"
+
+namespace porefines::dem {
+
+namespace {
+
+/// A fixed surface has no Motion; moving primitives tell how fast they come.
+Real speed_bound(const Surface& surface, const Particles& p) {
+  Real bound = 0;
+  const auto* walls = std::get_if<Primitives>(&surface);
+  for (std::size_t w = 0; walls != nullptr && w < walls->size(); ++w) {
+    const Motion& motion = std::visit([](const auto& wall) { return wall.motion; }, (*walls)[w]);
+    Real farthest = 0;
+    for (std::size_t i = 0; dot(motion.spin, motion.spin) > 0 && i < p.owned; ++i) {
+      farthest = std::max(farthest, norm(p.position[i] - motion.about) + 2 * p.radius[i]);
+    }
+    bound = std::max(bound, norm(motion.velocity) + norm(motion.spin) * farthest);
+  }
+  return bound;
+}
+
+ContactState wall_state(const Particles& p, std::uint32_t i, const Touch& touch) {
+  const Vec3 spin = p.angular_velocity[i];
+  ContactState c;
+  c.normal = touch.normal;
+  c.overlap = -touch.gap;
+  c.slip = p.velocity[i] - touch.velocity - cross((p.radius[i] - c.overlap / 2) * spin, c.normal);
+  c.spin = spin;
+  // A hollow curved as the sphere itself would have no curvature left: keep a little.
+  c.radius = 1 / std::max(1 / p.radius[i] + touch.curvature, 0.01 / p.radius[i]);
+  c.mass = 1 / p.inverse_mass[i];
+  c.inertia = 1 / p.inverse_inertia[i];
+  return c;
+}
+
+void fill(const ContactState& c, int k, ContactBatch& b) {
+  b.normal.set(k, c.normal), b.slip.set(k, c.slip), b.spin.set(k, c.spin);
+  b.overlap[k] = c.overlap, b.radius[k] = c.radius, b.mass[k] = c.mass, b.inertia[k] = c.inertia;
+}
+
+}  // namespace
+
+WallContacts::WallContacts(Surfaces surfaces, std::vector<std::uint16_t> species, int history)
+    : surfaces_(std::move(surfaces)), species_(std::move(species)), length_(history) {}
+
+void WallContacts::find(const Particles& p, std::uint32_t i, Real reach) {
+  find_touches(surfaces_, p.position[i], p.radius[i], reach, touches_);
+  trouble_.lost += touches_.lost;
+  trouble_.inside += touches_.inside ? 1 : 0;
+  trouble_.uncovered += touches_.uncovered ? 1 : 0;
+}
+
+void WallContacts::build(const Particles& p, Real skin, const KeptContacts& kept) {
+  candidates_.clear(), entries_.clear();
+  largest_speed_ = 0;
+  for (const Surface& surface : surfaces_) {
+    largest_speed_ = std::max(largest_speed_, speed_bound(surface, p));
+  }
+  for (std::uint32_t i = 0; !empty() && i < p.owned; ++i) {
+    if (p.inverse_mass[i] == 0) {
+      continue;  // held: walls do not move it
+    }
+    find(p, i, skin);
+    if (touches_.count == 0 && !touches_.in_trouble()) {
+      continue;
+    }
+    const auto first = static_cast<std::uint32_t>(entries_.size());
+    for (const KeptContact& contact : kept.of(i)) {
+      if (contact.partner >= wall_partner(0)) {
+        entries_.push_back(
+            {static_cast<std::uint32_t>(contact.partner), contact.normal, contact.history});
+      }
+    }
+    candidates_.push_back({i, first, static_cast<std::uint32_t>(entries_.size()) - first, true});
+  }
+}
+
+void WallContacts::narrow(const Particles& p, Real window) {
+  for (Candidate& c : candidates_) {
+    find(p, c.particle, window);
+    c.near = touches_.count > 0 || touches_.in_trouble();
+    c.count = c.near ? c.count : 0;
+  }
+}
+
+void WallContacts::add_forces(const ContactModel& model, const MaterialTable& materials, Real dt,
+                              Particles& p) {
+  next_.clear();
+  with_law(model, [&](const auto& law) {
+    static thread_local ContactBatch b{};
+    std::array<Filled, batch_width> filled;
+    b.count = 0;
+    const auto flush = [&] {
+      evaluate(law, materials.pairs(), dt, b);
+      for (int k = 0; k < b.count; ++k) {
+        const auto [i, entry, share] = filled[k];
+        const Vec3 force = share * b.force.get(k);
+        const Real arm = p.radius[i] - 0.5 * b.overlap[k];
+        p.force[i] += force;
+        p.torque[i] += share * b.couple.get(k) - arm * cross(b.normal.get(k), force);
+        HistoryNumbers numbers{};
+        b.store_history(k, numbers.data(), length_);
+        next_[entry].history = std::bit_cast<ContactHistory>(numbers);
+        largest_overlap_ = std::max(largest_overlap_, b.overlap[k] / p.radius[i]);
+      }
+      b.count = 0;
+    };
+    for (Candidate& c : candidates_) {
+      const auto first = static_cast<std::uint32_t>(next_.size());
+      if (c.near) {
+        find(p, c.particle, 0);
+        const std::span<const Entry> before{entries_.data() + c.first, c.count};
+        std::array<bool, TouchList::capacity> taken{};
+        for (const Touch& touch : touches_.view()) {
+          const int was = find_history(touch, before, std::span<const bool>(taken).first(c.count));
+          next_.push_back({touch.feature, touch.normal, {}});
+          if (was >= 0) {
+            taken[was] = true;
+            next_.back().history = before[was].history;
+          }
+          const int k = b.count++;
+          fill(wall_state(p, c.particle, touch), k, b);
+          const int wall = species_[touch.feature >> surface_shift];
+          b.pair[k] = p.species[c.particle] * materials.count() + wall;
+          b.load_history(k, std::bit_cast<HistoryNumbers>(next_.back().history).data(), length_);
+          filled[k] = {c.particle, static_cast<std::uint32_t>(next_.size() - 1), touch.share};
+          if (b.count == batch_width) {
+            flush();
+          }
+        }
+      }
+      c.first = first;
+      c.count = static_cast<std::uint32_t>(next_.size()) - first;
+    }
+    flush();
+  });
+  entries_.swap(next_);
+}
+
+void WallContacts::for_contacts(const Particles& p, const MaterialTable& materials,
+                                const Report& report) const {
+  TouchList touches;
+  for (const Candidate& c : candidates_) {
+    find_touches(surfaces_, p.position[c.particle], p.radius[c.particle], 0, touches);
+    const std::span<const Entry> before{entries_.data() + c.first, c.count};
+    std::array<bool, TouchList::capacity> taken{};
+    for (const Touch& touch : touches.view()) {
+      const int was = find_history(touch, before, std::span<const bool>(taken).first(c.count));
+      ContactHistory history;
+      if (was >= 0) {
+        taken[was] = true;
+        history = before[was].history;
+      }
+      const int wall = species_[touch.feature >> surface_shift];
+      report(c.particle, materials.pair(p.species[c.particle], wall),
+             wall_state(p, c.particle, touch), history, touch.share, touch.feature);
+    }
+  }
+}
+
+void WallContacts::advance(Real dt) {
+  for (Surface& surface : surfaces_) {
+    if (auto* walls = std::get_if<Primitives>(&surface)) {
+      dem::advance(*walls, dt);
+    }
+  }
+}
+
+}  // namespace porefines::dem

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "dem/contact_law.hpp"
+#include "dem/kept_contacts.hpp"
+#include "dem/particles.hpp"
+#include "dem/surface.hpp"
+
+namespace porefines::dem {
+
+/// What the surfaces could not answer: none of it may pass in silence.
+struct WallTrouble {
+  Index lost = 0;       ///< touches beyond the capacity of a TouchList
+  Index inside = 0;     ///< particles whose centre is inside a grain, counted every step
+  Index uncovered = 0;  ///< particles beyond the known part of a surface, counted every step
+};
+
+/// Contacts of particles with walls and grains: who is near, who touches where, and the history.
+class WallContacts {
+ public:
+  /// @param species  material of each surface
+  WallContacts(Surfaces surfaces, std::vector<std::uint16_t> species, int history);
+
+  /// Lists the owned particles nearer than `skin` to a surface, with their history.
+  void build(const Particles& particles, Real skin, const KeptContacts& kept);
+  /// Of these, the ones with gaps below `window` for the coming steps.
+  void narrow(const Particles& particles, Real window);
+  void add_forces(const ContactModel& model, const MaterialTable& materials, Real dt,
+                  Particles& particles);
+  /// Moving walls go on for dt.
+  void advance(Real dt);
+  /// [m/s] no wall moves faster within `reach` of the particles.
+  [[nodiscard]] Real largest_speed() const { return largest_speed_; }
+
+  /// Calls visit(i, kept contact) for every touch of the last evaluation.
+  template <typename Visit>
+  void for_touching(const Visit& visit) const {
+    for (const Candidate& c : candidates_) {
+      for (std::uint32_t e = c.first; e < c.first + c.count; ++e) {
+        const Entry& entry = entries_[e];
+        visit(c.particle, KeptContact{wall_partner(entry.feature), entry.history, entry.normal});
+      }
+    }
+  }
+  /// The contacts as the law sees them, found afresh: for sums and records.
+  using Report = std::function<void(std::uint32_t particle, const PairMaterial& pair,
+                                    const ContactState& contact, const ContactHistory& history,
+                                    Real share, std::uint32_t feature)>;
+  void for_contacts(const Particles& particles, const MaterialTable& materials,
+                    const Report& report) const;
+
+  [[nodiscard]] bool empty() const { return surfaces_.empty(); }
+  [[nodiscard]] const Surfaces& surfaces() const { return surfaces_; }
+  [[nodiscard]] const WallTrouble& trouble() const { return trouble_; }
+  [[nodiscard]] Real largest_overlap() const { return largest_overlap_; }
+  void reset_largest_overlap() { largest_overlap_ = 0; }
+
+ private:
+  struct Candidate {
+    std::uint32_t particle;
+    std::uint32_t first;  ///< its touches of the last evaluation in entries_
+    std::uint32_t count;
+    bool near;
+  };
+  struct Entry {  ///< a touch and what it remembers
+    std::uint32_t feature;
+    Vec3 normal;
+    ContactHistory history;
+  };
+  struct Filled {
+    std::uint32_t particle;
+    std::uint32_t entry;
+    Real share;
+  };
+  void find(const Particles& particles, std::uint32_t i, Real reach);
+
+  Surfaces surfaces_;
+  std::vector<std::uint16_t> species_;
+  int length_;
+  std::vector<Candidate> candidates_;
+  std::vector<Entry> entries_;
+  std::vector<Entry> next_;
+  TouchList touches_;
+  WallTrouble trouble_;
+  Real largest_speed_ = 0;
+  Real largest_overlap_ = 0;
+};
+
+}  // namespace porefines::dem
