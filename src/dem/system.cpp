@@ -129,6 +129,7 @@ void System::update_lists(Real fastest, Real dt) {
     return;
   }
   exchange_.refresh(particles_);
+  work_.messages = exchange_.messages();
   if (2 * moved_narrow_ > window_) {
     narrow_lists();
   }
@@ -190,6 +191,7 @@ void System::build_lists(bool sort) {
   lists_hold_ = true;
   ++work_.rebuilds;
   work_.listed_pairs = static_cast<Index>(pairs_.list().size());
+  work_.messages = exchange_.messages();
   narrow_lists();
 }
 
