@@ -10,7 +10,7 @@
 #include "config/reader.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "geometry_spec.hpp"
+#include "sim/domain.hpp"
 
 namespace porefines {
 namespace {
@@ -29,8 +29,8 @@ BoxFace parse_face(const std::string& text) {
 Inspection from_case(const InspectArguments& arguments) {
   const config::Case the_case = config::load_case(arguments.input, arguments.overrides);
   Inspection out;
-  out.spec = geometry_spec(the_case);
-  out.flow_to = flow_direction(the_case.flow);
+  out.spec = sim::geometry_spec(the_case);
+  out.flow_to = sim::flow_to(the_case.flow);
   out.question.fine_diameter = the_case.analysis.fine_diameter;
   out.question.cell_size = the_case.grid.cell_size;
   out.simplify = the_case.geometry.simplify;

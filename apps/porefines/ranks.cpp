@@ -13,7 +13,7 @@ namespace porefines {
 namespace {
 
 using namespace std::chrono_literals;
-constexpr auto patience = 10s;
+constexpr auto patience = 30s;
 constexpr auto nap = 2ms;
 
 void print(const std::string& message) {

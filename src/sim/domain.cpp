@@ -150,6 +150,17 @@ int flow_axis(const config::Flow& flow) {
   return periodic == flow.periodic.end() ? 0 : static_cast<int>(periodic - flow.periodic.begin());
 }
 
+BoxFace flow_to(const config::Flow& flow) {
+  if (!flow.inlet) {
+    const int axis = flow_axis(flow);
+    return box_face(axis, flow.pressure_gradient[axis] >= 0);
+  }
+  const bool backwards = flow.inlet->kind == config::DriveKind::pressure &&
+                         flow.outlet->kind == config::DriveKind::pressure &&
+                         flow.inlet->value < flow.outlet->value;
+  return backwards ? flow.inlet->face : flow.outlet->face;
+}
+
 geom::Spec geometry_spec(const config::Case& the_case) {
   const config::Geometry& g = the_case.geometry;
   geom::Spec spec;

@@ -11,6 +11,9 @@ namespace porefines::sim {
 /// gradient, else the first periodic one.
 [[nodiscard]] int flow_axis(const config::Flow& flow);
 
+/// The face that the fluid flows to: the outlet, unless the pressures say otherwise.
+[[nodiscard]] BoxFace flow_to(const config::Flow& flow);
+
 /// What the geometry module has to know of a case.
 /// Beyond the sample: periodic axes repeat it, reservoirs are open pore, walls mirror it.
 [[nodiscard]] geom::Spec geometry_spec(const config::Case& the_case);

@@ -75,17 +75,6 @@ bool is_chip(const geom::Sample& sample, const Domain& domain) {
   return extruded || 4 * domain.cells[2] <= std::min(domain.cells[0], domain.cells[1]);
 }
 
-BoxFace flow_to(const config::Case& the_case, const Domain& domain) {
-  const config::Flow& flow = the_case.flow;
-  if (!flow.inlet) {
-    return box_face(domain.axis, flow.pressure_gradient[domain.axis] >= 0);
-  }
-  const bool backwards = flow.inlet->kind == config::DriveKind::pressure &&
-                         flow.outlet->kind == config::DriveKind::pressure &&
-                         flow.inlet->value < flow.outlet->value;
-  return backwards ? flow.inlet->face : flow.outlet->face;
-}
-
 report::SliceValues gather_mid_slice(std::span<const float> values, std::span<const float> solid,
                                      const grid::Block& block, const Domain& domain, int axis,
                                      const par::Communicator& comm) {
@@ -134,7 +123,7 @@ void draw_fields(const std::string& folder, const config::Case& the_case,
                                       .quantity = "speed",
                                       .unit = "m/s",
                                       .colormap = report::Colormap::speed,
-                                      .flow_to = flow_to(the_case, domain)};
+                                      .flow_to = flow_to(the_case.flow)};
   report::PictureStyle of_pressure = of_speed;
   of_pressure.title = title_of(the_case, "Pressure");
   of_pressure.quantity = "pressure";
@@ -172,7 +161,7 @@ void draw_sample(const std::string& folder, const config::Case& the_case,
                                    .quantity = "distance to grain",
                                    .unit = "m",
                                    .colormap = report::Colormap::pressure,
-                                   .flow_to = flow_to(the_case, domain)};
+                                   .flow_to = flow_to(the_case.flow)};
   report::write_picture(folder + "/geometry.png", draw(sample, domain, slices, style), provenance,
                         style.title);
 }

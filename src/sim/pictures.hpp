@@ -27,9 +27,6 @@ namespace porefines::sim {
 /// Is one plane enough? Extruded images, cylinders, and boxes that are thin along z.
 [[nodiscard]] bool is_chip(const geom::Sample& sample, const Domain& domain);
 
-/// The face that the fluid flows to.
-[[nodiscard]] BoxFace flow_to(const config::Case& the_case, const Domain& domain);
-
 /// speed.png and pressure.png: the middle plane of a chip, three planes of a volume. Collective.
 void draw_fields(const std::string& folder, const config::Case& the_case,
                  const geom::Sample& sample, const Domain& domain,
