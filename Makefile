@@ -1,6 +1,6 @@
 # The newcomer's commands. Each does all the set-up that it needs.
 #   make demo    install what is missing, build, run the bundled case from image to permeability
-#   make check   install what is missing, build, run the tests (this is what CI runs)
+#   make check   install what is missing, build, run tests, fuzzers and clang-tidy (this is what CI runs)
 #   make bench   speed: kernels against the memory bandwidth of this machine
 BUILD := build/release
 export CCACHE_BASEDIR := $(CURDIR)
@@ -33,7 +33,7 @@ compare-openfoam: build
 validate: build
 	@ctest --preset validate
 
-lint: setup
+lint: build
 	@tools/lint.sh
 
 fuzz: setup
