@@ -139,6 +139,11 @@ void add_inspect(CLI::App& app, int& exit_code) {
   command->add_option("--raw-size", a->raw_size, "raw volume: voxels along x, y, z")->expected(3);
   command->add_option("--depth", a->depth, "depth of a 2D geometry, such as \"20 um\"");
   command->add_option("--fine-diameter", a->fine_diameter, "for o/d and D/d");
+  command->add_option("--erode-grains", a->erode_grains, "every grain recedes by this length");
+  command->add_option("--edit-mask", a->edit_mask,
+                      "image of the same size: white opens, black closes, grey leaves");
+  command->add_option("--reconnect-gap", a->reconnect_gap,
+                      "open walls of at most so many pixels between separate pores");
   command->add_option("--minimum-throat", a->minimum_throat, "open narrower throats to this width");
   command->add_option("--flow", a->flow, "direction of the flow: x+, x-, y+, ... (x+)");
   command->add_option("--stl", a->stl, "write the grain surface as triangles");

@@ -55,6 +55,9 @@ Inspection from_image(const InspectArguments& arguments) {
   if (arguments.raw_size.size() == 3) {
     std::copy_n(arguments.raw_size.begin(), 3, out.spec.raw_size.begin());
   }
+  out.spec.erode_grains = length_of(arguments.erode_grains, "--erode-grains");
+  out.spec.edit_mask = arguments.edit_mask;
+  out.spec.reconnect_gap = arguments.reconnect_gap;
   out.spec.minimum_throat = length_of(arguments.minimum_throat, "--minimum-throat");
   out.flow_to = parse_face(arguments.flow);
   out.spec.flow_axis = axis_of(out.flow_to);
@@ -107,7 +110,8 @@ Volumes build_volumes(Inspection& inspection) {
   geom::Spec raw = inspection.spec;
   raw.only_percolating = false;
   raw.remove_grains_below = raw.fill_pores_below = raw.reconnect_gap = 0;
-  raw.minimum_throat = 0;
+  raw.minimum_throat = raw.erode_grains = 0;
+  raw.edit_mask.clear();
   const geom::Sample found = geom::build_sample(raw, MPI_COMM_SELF);
   Volumes out{found.voxels, found.voxels, found.pixel, ""};
   if (inspection.spec.kind != geom::Kind::image) {

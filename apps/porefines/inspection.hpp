@@ -20,6 +20,9 @@ struct InspectArguments {
   std::vector<int> raw_size;
   std::string depth;
   std::string fine_diameter;
+  std::string erode_grains;
+  std::string edit_mask;
+  int reconnect_gap = 0;
   std::string minimum_throat;
   std::string flow = "x+";
   std::string stl;

@@ -46,6 +46,9 @@ struct Geometry {
   int remove_grains_below = 0;    ///< [pixels] noise and islands: grains smaller than this vanish
   int fill_pores_below = 0;       ///< [pixels] pores smaller than this are filled
   Real simplify = 0.5;            ///< [pixels] tolerance of the simplified outlines
+  Real erode_grains = 0;          ///< [m] grains recede by this much
+  std::string edit_mask;          ///< absolute path; opens white pixels, closes black ones
+  int reconnect_gap = 0;          ///< [pixels] thinner walls between separate pores open
   Real minimum_throat = 0;        ///< [m] narrower throats are reopened to this width
   /// Image: {first, past-last} voxel, y upwards; z is 0, 0 for a 2D image; all zero: everything.
   std::array<Int3, 2> crop{};

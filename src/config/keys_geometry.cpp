@@ -16,14 +16,21 @@ constexpr Range image_edge{1, 1 << 20};
 constexpr Range pixels{0, 1 << 30};
 
 /// Relative to the folder of the case file; on the command line, to where the user is.
-void read_source(Case& c, const Node& node) {
+std::string read_path(const Case& c, const Node& node) {
   namespace fs = std::filesystem;
   const fs::path given = read_text(node);
   if (given.empty()) {
     fail(node.place, "is empty, name a file");
   }
   const fs::path folder = node.place.command_line ? fs::path() : fs::path(c.path).parent_path();
-  c.geometry.source = fs::absolute(folder / given).lexically_normal();
+  return fs::absolute(folder / given).lexically_normal();
+}
+
+Key path_key(const std::string& path, std::string Geometry::*member, const std::string& absent,
+             const std::string& doc) {
+  Key key = text_key(path, &Case::geometry, member, absent, doc);
+  key.read = [=](Case& c, const Node& node) { c.geometry.*member = read_path(c, node); };
+  return key;
 }
 
 void read_threshold(Case& c, const Node& node) {
@@ -151,6 +158,14 @@ std::vector<Key> image_keys() {
                   "pores of fewer pixels than this are filled"),
       quantity_key("geometry.simplify", part, &Geometry::simplify, kind::number, Range{0, 100}, "",
                    "tolerance of the simplified outlines, in pixels"),
+      quantity_key("geometry.erode_grains", part, &Geometry::erode_grains, kind::length,
+                   length_or_none, "", "every grain recedes by this much, in whole pixels"),
+      path_key("geometry.edit_mask", &Geometry::edit_mask, "none",
+               "an image as large as `source`: white (255) opens, black (0) closes, any other grey "
+               "leaves a pixel as it is; relative to the case file"),
+      integer_key("geometry.reconnect_gap", part, &Geometry::reconnect_gap, Range{0, 1000},
+                  "grain walls of at most so many pixels between pores that are not connected "
+                  "otherwise are opened"),
       quantity_key("geometry.minimum_throat", part, &Geometry::minimum_throat, kind::length,
                    length_or_none, "", "narrower throats are reopened to this width"),
   };
@@ -162,16 +177,9 @@ std::vector<Key> geometry_keys() {
   const auto part = &Case::geometry;
   std::vector<Key> keys{choice_key("geometry.kind", part, &Geometry::kind, geometry_kind_names(),
                                    "where the grains come from"),
-                        {"geometry.source",
-                         "text",
-                         "image: 2D or 3D; spheres: rows x y z r; cylinders: rows x y r (axis z); "
-                         "relative to the case file",
-                         read_source,
-                         [](const Case& c) {
-                           return c.geometry.source.empty() ? "" : toml_string(c.geometry.source);
-                         },
-                         "required",
-                         {GeometryKind::image, GeometryKind::spheres, GeometryKind::cylinders}},
+                        path_key("geometry.source", &Geometry::source, "required",
+                                 "image: 2D or 3D; spheres: rows x y z r; cylinders: rows x y r "
+                                 "(axis z); relative to the case file"),
                         {"geometry.size",
                          "three lengths, e.g. `[\"1 mm\", \"1 mm\", \"1 mm\"]`",
                          "edges of the box",
@@ -179,6 +187,7 @@ std::vector<Key> geometry_keys() {
                          write_size,
                          "required",
                          {GeometryKind::spheres, GeometryKind::cylinders, GeometryKind::empty}}};
+  keys[1].only_for = {GeometryKind::image, GeometryKind::spheres, GeometryKind::cylinders};
   Key unit = quantity_key("geometry.list_unit", part, &Geometry::list_unit, kind::length,
                           some_length, "", "unit of the numbers in a list of grains");
   unit.only_for = {GeometryKind::spheres, GeometryKind::cylinders};

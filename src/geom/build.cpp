@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "geom/clean.hpp"
+#include "geom/edit.hpp"
 #include "geom/image_read.hpp"
 #include "geom/throat_opening.hpp"
 
@@ -25,8 +26,12 @@ Index count_pores(const Voxels& voxels) {
   return std::accumulate(voxels.pore.begin(), voxels.pore.end(), Index{0});
 }
 
-/// The order matters: noise must not count as a throat, and throats must be open before pores
-/// are judged by whether they carry flow.
+GreyVolume read_cropped(const Spec& spec, const std::string& path) {
+  return crop(read_image(path, spec.raw_size), spec.crop[0], spec.crop[1], path);
+}
+
+/// The order matters: noise must not count as a throat, the user's edits have the last word on it,
+/// and throats must be open before pores are judged by whether they carry flow.
 void clean(const Spec& spec, Voxels& voxels) {
   std::array<bool, 3> periodic{};
   for (std::size_t a = 0; a < 3; ++a) {
@@ -34,6 +39,10 @@ void clean(const Spec& spec, Voxels& voxels) {
   }
   remove_small(voxels, Phase::grain, spec.remove_grains_below, periodic);
   remove_small(voxels, Phase::pore, spec.fill_pores_below, periodic);
+  erode_grains(voxels, spec.erode_grains / spec.pixel_size, spec.beyond);
+  if (!spec.edit_mask.empty()) {
+    apply_edit_mask(voxels, read_cropped(spec, spec.edit_mask), spec.edit_mask);
+  }
   reconnect(voxels, spec.reconnect_gap, periodic);
   if (spec.minimum_throat > 0) {
     open_throats(voxels, spec.minimum_throat / spec.pixel_size, spec.beyond);
@@ -49,9 +58,7 @@ Voxels read_voxels(const Spec& spec, Sample& sample) {
         fmt::format("pixel_size = {} m must be positive: what is the edge of one pixel of {}?",
                     spec.pixel_size, spec.source));
   }
-  GreyVolume grey =
-      crop(read_image(spec.source, spec.raw_size), spec.crop[0], spec.crop[1], spec.source);
-  Voxels voxels = segment(std::move(grey), spec.segmentation, spec.source);
+  Voxels voxels = segment(read_cropped(spec, spec.source), spec.segmentation, spec.source);
   sample.found_pores = count_pores(voxels);
   clean(spec, voxels);
   sample.kept_pores = count_pores(voxels);

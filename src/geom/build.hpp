@@ -32,6 +32,8 @@ struct Spec {
   bool only_percolating = true;  ///< fill pores that do not connect the faces of flow_axis
   int remove_grains_below = 0;   ///< [voxels]
   int fill_pores_below = 0;      ///< [voxels]
+  Real erode_grains = 0;         ///< [m] grains recede by this much
+  std::string edit_mask;         ///< path of an image that opens or closes voxels
   Real minimum_throat = 0;       ///< [m] narrower throats are opened to this width
   int reconnect_gap = 0;  ///< [voxels] walls up to this thickness between separate pores open
   Surroundings beyond{Beyond::mirror, Beyond::mirror, Beyond::mirror};

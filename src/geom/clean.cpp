@@ -69,7 +69,8 @@ Index keep_percolating(Voxels& voxels, const std::array<bool, 3>& periodic, int 
     throw InputError(fmt::format(
         "{}: no pore path connects {}- and {}+{}; there are {} separate pores, the largest takes "
         "{:.1f} % of the image.\nCheck pore_value (are pore and grain swapped?) and the "
-        "threshold, reopen throats with minimum_throat, or set keep = \"all\".",
+        "threshold, reopen throats (reconnect_gap opens thin walls; "
+        "erode_grains, edit_mask), or set keep = \"all\".",
         name, letter, letter, around ? " around the period" : "", components.component.size(),
         100.0 * static_cast<Real>(largest) / static_cast<Real>(all)));
   }

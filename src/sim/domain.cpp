@@ -178,6 +178,9 @@ geom::Spec geometry_spec(const config::Case& the_case) {
   spec.only_percolating = g.keep == config::Keep::percolating;
   spec.remove_grains_below = g.remove_grains_below;
   spec.fill_pores_below = g.fill_pores_below;
+  spec.erode_grains = g.erode_grains;
+  spec.edit_mask = g.edit_mask;
+  spec.reconnect_gap = g.reconnect_gap;
   spec.minimum_throat = g.minimum_throat;
   spec.beyond = surroundings(the_case);
   spec.flow_axis = flow_axis(the_case.flow);

@@ -52,7 +52,7 @@ TEST(ConfigErrors, unknown_keys_get_a_suggestion) {
             "x.toml:4: [geometry] \"grid.cell_size\": unknown key\nknown here: kind, source, size, "
             "list_unit, periodic_images, pixel_size, threshold, pore_is_bright, pore_value, "
             "raw_size, depth, crop, surface, smooth, remove_grains_below, fill_pores_below, "
-            "simplify, minimum_throat, keep");
+            "simplify, erode_grains, edit_mask, reconnect_gap, minimum_throat, keep");
 }
 
 TEST(ConfigErrors, a_key_in_the_wrong_table_is_sent_home) {
