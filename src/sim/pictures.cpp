@@ -23,7 +23,8 @@ report::SliceValues empty_slice(const Domain& domain, int axis) {
   slice.shape.height = domain.cells[axes[1]];
   slice.shape.cell_width = domain.spacing[axes[0]];
   slice.shape.cell_height = domain.spacing[axes[1]];
-  slice.shape.position = (domain.cells[axis] / 2 + 0.5) * domain.spacing[axis];
+  const int plane = domain.cells[axis] / 2;
+  slice.shape.position = (plane + 0.5) * domain.spacing[axis];
   const auto count = static_cast<std::size_t>(slice.shape.width) * slice.shape.height;
   slice.values.assign(count, 0);
   slice.grain.assign(count, 0);
