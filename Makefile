@@ -1,6 +1,6 @@
 # The newcomer's commands. Each does all the set-up that it needs.
 #   make demo    install what is missing, build, run the bundled case from image to permeability
-#   make check   install what is missing, build, run tests, fuzzers and clang-tidy (this is what CI runs)
+#   make check   install what is missing, build, run tests and fuzzers (this is what CI runs)
 #   make bench   speed: kernels against the memory bandwidth of this machine
 BUILD := build/release
 export CCACHE_BASEDIR := $(CURDIR)
