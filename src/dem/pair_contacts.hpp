@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "dem/contact_law.hpp"
+#include "dem/contact_model.hpp"
 #include "dem/kept_contacts.hpp"
 #include "dem/pair_list.hpp"
 #include "dem/particles.hpp"

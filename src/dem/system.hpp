@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "dem/box.hpp"
-#include "dem/contact_law.hpp"
+#include "dem/contact_model.hpp"
 #include "dem/exchange.hpp"
 #include "dem/kept_contacts.hpp"
 #include "dem/pair_contacts.hpp"

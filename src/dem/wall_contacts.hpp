@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "dem/contact_law.hpp"
+#include "dem/contact_model.hpp"
 #include "dem/kept_contacts.hpp"
 #include "dem/particles.hpp"
 #include "dem/surface.hpp"

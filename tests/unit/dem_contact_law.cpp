@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
-#include "dem/contact_law.hpp"
+#include "dem/contact_model.hpp"
 
 namespace porefines::dem {
 
