@@ -34,6 +34,14 @@ struct ContactHistory {
 inline constexpr int history_size = sizeof(ContactHistory) / sizeof(Real);
 inline constexpr int basic_history = 7;  ///< without partial slip
 
+/// How a loop over contacts is to be evaluated.
+struct Evaluation {
+  Real dt = 0;  ///< [s] over which springs stretch; 0 leaves them
+  /// Overdamped: the liquid takes the place of mass, dashpots are off (mass 0) and what stops a
+  /// rotation within the step is its resistance times dt instead of its inertia.
+  bool creeping = false;
+};
+
 using HistoryNumbers = std::array<Real, history_size>;
 
 /// Force and couple on body i; j takes the opposite, at the same point.
@@ -165,7 +173,7 @@ struct ConstantTorque {
                                                     ContactHistory& /*history*/) const {
     const Vec3 w = c.spin - dot(c.spin, c.normal) * c.normal;
     const Real cap = pair.rolling * c.radius * std::max(normal.force, 0.0);
-    const Real stopping = c.inertia / dt;
+    const Real stopping = c.inertia / std::max(dt, 1e-30);
     const Real size = std::sqrt(dot(w, w));
     return -(size * stopping > cap ? cap / size : stopping) * w;
   }

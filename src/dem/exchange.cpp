@@ -25,7 +25,7 @@ struct Traveller {
 
 /// What a ghost needs once; the rest is refreshed every step.
 struct GhostParcel {
-  Real radius, mass, inverse_mass, inverse_inertia;
+  Real radius, mass, inverse_mass, inverse_inertia, spin_resistance, resistance;
   std::uint64_t id;
   std::uint32_t species;
   std::uint32_t flags;
@@ -75,6 +75,9 @@ void pack(const Particles& p, const KeptContacts& kept, std::size_t i,
                     p.flags[i]};
   put(out, &t);
   put(out, contacts.data(), contacts.size());
+  if (p.creeps) {
+    Creeping::for_arrays(p.creeping, [&](const auto& array) { put(out, &array[i]); });
+  }
 }
 
 void unpack(const std::vector<std::byte>& in, Particles& p, KeptContacts& kept) {
@@ -94,6 +97,9 @@ void unpack(const std::vector<std::byte>& in, Particles& p, KeptContacts& kept) 
     p.species[i] = t.species, p.flags[i] = t.flags;
     p.set_fixed(i, (t.flags & flag::fixed) != 0);
     kept.append(contacts);
+    if (p.creeps) {
+      Creeping::for_arrays(p.creeping, [&](auto& array) { at = take(at, &array[i]); });
+    }
   }
 }
 
@@ -203,8 +209,15 @@ void Exchange::make_ghosts(Particles& p, Real reach) {
       Leg& leg = legs_[a][side];
       std::vector<std::byte> out;
       for (const std::uint32_t i : leg.sent) {
-        const GhostParcel g{p.radius[i], p.mass[i],    p.inverse_mass[i], p.inverse_inertia[i],
-                            p.id[i],     p.species[i], p.flags[i]};
+        const GhostParcel g{p.radius[i],
+                            p.mass[i],
+                            p.inverse_mass[i],
+                            p.inverse_inertia[i],
+                            p.creeps ? p.creeping.spin_resistance[i] : 0,
+                            p.creeps ? p.creeping.resistance[i] : 0,
+                            p.id[i],
+                            p.species[i],
+                            p.flags[i]};
         put(out, &g);
       }
       const bool own = leg.to == comm_.rank() && leg.from == comm_.rank();
@@ -220,6 +233,10 @@ void Exchange::make_ghosts(Particles& p, Real reach) {
         p.inverse_mass[i] = g.inverse_mass, p.inverse_inertia[i] = g.inverse_inertia;
         p.species[i] = static_cast<std::uint16_t>(g.species);
         p.flags[i] = static_cast<std::uint8_t>(g.flags);
+        if (p.creeps) {
+          p.creeping.spin_resistance[i] = g.spin_resistance;
+          p.creeping.resistance[i] = g.resistance;
+        }
       }
     }
     refresh_axis(p, a);

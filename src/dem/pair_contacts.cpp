@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 
 #include "dem/contact_batch.hpp"
 
@@ -18,7 +19,8 @@ struct PairBatch {
 };
 
 /// Copies what pair (i, j) needs into lane k. `normal` holds x_i - x_j for now.
-inline void gather(const Particles& p, std::uint32_t i, std::uint32_t j, int k, PairBatch& b) {
+inline void gather(const Particles& p, std::uint32_t i, std::uint32_t j, int k,
+                   const Evaluation& evaluation, PairBatch& b) {
   b.contact.normal.set(k, p.position[i] - p.position[j]);
   b.contact.slip.set(k, p.velocity[i] - p.velocity[j]);
   b.spin_i.set(k, p.angular_velocity[i]);
@@ -26,6 +28,11 @@ inline void gather(const Particles& p, std::uint32_t i, std::uint32_t j, int k, 
   b.radius_i[k] = p.radius[i], b.radius_j[k] = p.radius[j];
   b.inverse_mass[k] = p.inverse_mass[i] + p.inverse_mass[j];
   b.inverse_inertia[k] = p.inverse_inertia[i] + p.inverse_inertia[j];
+  if (evaluation.creeping) {
+    const auto& turning = p.creeping.spin_resistance;
+    b.inverse_mass[k] = std::numeric_limits<Real>::infinity();
+    b.inverse_inertia[k] = (1 / turning[i] + 1 / turning[j]) / std::max(evaluation.dt, 1e-30);
+  }
 }
 
 /// Normal, overlap and relative motion at the point of contact, which lies in the middle of the
@@ -125,8 +132,8 @@ void PairContacts::narrow(const Particles& p, Real window) {
   }
 }
 
-void PairContacts::add_forces(const ContactModel& model, const MaterialTable& materials, Real dt,
-                              Particles& p) {
+void PairContacts::add_forces(const ContactModel& model, const MaterialTable& materials,
+                              const Evaluation& evaluation, Particles& p) {
   find_touching(p);
   const int species = materials.count();
   with_law(model, [&](const auto& law) {
@@ -138,12 +145,12 @@ void PairContacts::add_forces(const ContactModel& model, const MaterialTable& ma
         const std::uint32_t pair = touch_[first + k];
         const std::uint32_t i = list_.first[pair];
         const std::uint32_t j = list_.second[pair];
-        gather(p, i, j, k, b);
+        gather(p, i, j, k, evaluation, b);
         b.contact.pair[k] = p.species[i] * species + p.species[j];
         b.contact.load_history(k, history_.data() + std::size_t{pair} * length_, length_);
       }
       resolve_geometry(b);
-      evaluate(law, materials.pairs(), dt, b.contact);
+      evaluate(law, materials.pairs(), evaluation.dt, b.contact);
       for (int k = 0; k < count; ++k) {
         const std::uint32_t pair = touch_[first + k];
         scatter(b, k, list_.first[pair], list_.second[pair], p);

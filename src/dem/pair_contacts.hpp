@@ -25,10 +25,16 @@ class PairContacts {
   void narrow(const Particles& particles, Real window);
 
   /// Adds the contact forces and torques of all pairs that touch. Order of summation: the list's.
-  /// @param dt  [s] 0 leaves the springs
-  void add_forces(const ContactModel& model, const MaterialTable& materials, Real dt,
-                  Particles& particles);
+  void add_forces(const ContactModel& model, const MaterialTable& materials,
+                  const Evaluation& evaluation, Particles& particles);
 
+  /// Calls visit(i, j) for every pair of the narrowed list.
+  template <typename Visit>
+  void for_near(const Visit& visit) const {
+    for (const std::uint32_t k : near_) {
+      visit(list_.first[k], list_.second[k]);
+    }
+  }
   /// Calls visit(i, j, history as i sees it) for every pair that touched at the last evaluation.
   template <typename Visit>
   void for_touching(const Visit& visit) const {

@@ -3,6 +3,7 @@
 
 #include "dem/contact_law.hpp"
 #include "dem/particles.hpp"
+#include "dem/touch.hpp"
 
 namespace porefines::dem {
 
@@ -22,6 +23,22 @@ namespace porefines::dem {
   c.radius = p.radius[i] * p.radius[j] / (p.radius[i] + p.radius[j]);
   c.mass = 1 / (p.inverse_mass[i] + p.inverse_mass[j]);
   c.inertia = 1 / (p.inverse_inertia[i] + p.inverse_inertia[j]);
+  return c;
+}
+
+/// Contact of particle i with a wall or grain.
+[[nodiscard]] inline ContactState wall_state(const Particles& p, std::uint32_t i,
+                                             const Touch& touch) {
+  const Vec3 spin = p.angular_velocity[i];
+  ContactState c;
+  c.normal = touch.normal;
+  c.overlap = -touch.gap;
+  c.slip = p.velocity[i] - touch.velocity - cross((p.radius[i] - c.overlap / 2) * spin, c.normal);
+  c.spin = spin;
+  // A hollow curved as the sphere itself would have no curvature left: keep a little.
+  c.radius = 1 / std::max(1 / p.radius[i] + touch.curvature, 0.01 / p.radius[i]);
+  c.mass = 1 / p.inverse_mass[i];
+  c.inertia = 1 / p.inverse_inertia[i];
   return c;
 }
 

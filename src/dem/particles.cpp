@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: MPL-2.0
 #include "dem/particles.hpp"
 
+#include <algorithm>
 #include <numbers>
 
 namespace porefines::dem {
 
 void Particles::resize(std::size_t count) {
   for_arrays(*this, [count](auto& array) { array.resize(count); });
+}
+
+void Particles::clear_forces() {
+  std::fill(force.begin(), force.end(), Vec3{});
+  std::fill(torque.begin(), torque.end(), Vec3{});
 }
 
 void Particles::append(const Body& body) {

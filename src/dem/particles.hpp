@@ -29,6 +29,32 @@ struct Body {
   std::uint8_t flags = 0;
 };
 
+/// What the overdamped integrator knows of each particle beside its place; empty when not in use.
+struct Creeping {
+  AlignedVector<Vec3> free_velocity;    ///< [m/s] U* of the last fluid solve
+  AlignedVector<Vec3> free_spin;        ///< [rad/s]
+  AlignedVector<Vec3> told_force;       ///< [N] F*, the contact force that this solve was told
+  AlignedVector<Vec3> told_torque;      ///< [N m]
+  AlignedVector<Real> resistance;       ///< [N s/m] R, e.g. 6 pi mu a
+  AlignedVector<Real> spin_resistance;  ///< [N m s] e.g. 8 pi mu a^3
+  AlignedVector<Vec3> mean_force;       ///< [N] mean contact force of the step: tell the next solve
+  AlignedVector<Vec3> mean_torque;      ///< [N m]
+  AlignedVector<Vec3> drift;            ///< [m/s] W = U* - F*/R of the step before
+  AlignedVector<Vec3> drift_spin;       ///< [rad/s]
+  AlignedVector<Real> drift_step;       ///< [s] length of that step; 0: there was none
+  AlignedVector<Vec3> way;              ///< [m/s] W of this step, extrapolated to its middle
+  AlignedVector<Vec3> way_spin;         ///< [rad/s]
+
+  template <typename Self, typename Visit>
+  static void for_arrays(Self& self, const Visit& visit) {
+    visit(self.free_velocity), visit(self.free_spin), visit(self.told_force);
+    visit(self.told_torque), visit(self.resistance), visit(self.spin_resistance);
+    visit(self.mean_force), visit(self.mean_torque);
+    visit(self.drift), visit(self.drift_spin), visit(self.drift_step);
+    visit(self.way), visit(self.way_spin);
+  }
+};
+
 /// The spheres of one rank as structure of arrays: [0, owned) belong to it, the rest are ghosts,
 /// copies of neighbours' particles (or of its own beyond a periodic border).
 ///
@@ -51,6 +77,8 @@ struct Particles {
   std::vector<std::uint64_t> id;
   std::vector<std::uint16_t> species;
   std::vector<std::uint8_t> flags;
+  Creeping creeping;
+  bool creeps = false;  ///< whether `creeping` is kept
 
   [[nodiscard]] std::size_t size() const { return position.size(); }
   [[nodiscard]] bool is_fixed(std::size_t i) const { return (flags[i] & flag::fixed) != 0; }
@@ -64,9 +92,13 @@ struct Particles {
     visit(self.external_force), visit(self.external_torque);
     visit(self.radius), visit(self.mass), visit(self.inverse_mass), visit(self.inverse_inertia);
     visit(self.id), visit(self.species), visit(self.flags);
+    if (self.creeps) {
+      Creeping::for_arrays(self.creeping, visit);
+    }
   }
 
   void resize(std::size_t count);
+  void clear_forces();
 
   /// Appends an owned particle; ghosts must have been dropped (size() == owned).
   void append(const Body& body);

@@ -104,7 +104,7 @@ void System::advance(Real dt, Index steps) {
     const Real speed_squared = kick_and_drift(particles_, settings_.gravity, dt, kicks, true);
     walls_.advance(dt);
     update_lists(std::sqrt(speed_squared), dt);
-    contact_forces(dt);
+    contact_forces({dt});
     ++work_.steps;
   }
   kick_and_drift(particles_, settings_.gravity, dt, 1, false);
@@ -135,11 +135,15 @@ void System::update_lists(Real fastest, Real dt) {
   }
 }
 
-void System::contact_forces(Real dt) {
-  pairs_.add_forces(settings_.model, settings_.materials, dt, particles_);
+void System::contact_forces(const Evaluation& evaluation) {
+  pairs_.add_forces(settings_.model, settings_.materials, evaluation, particles_);
   if (!walls_.empty()) {
-    walls_.add_forces(settings_.model, settings_.materials, dt, particles_);
+    walls_.add_forces(settings_.model, settings_.materials, evaluation, particles_);
   }
+}
+
+void System::soften(Real factor) {
+  settings_.materials.soften(factor);
 }
 
 void System::prepare() {
@@ -148,9 +152,8 @@ void System::prepare() {
     build_lists(true);
   }
   if (comm_.max(forces_hold_ ? 0.0 : 1.0) > 0) {
-    std::fill(particles_.force.begin(), particles_.force.end(), Vec3{});
-    std::fill(particles_.torque.begin(), particles_.torque.end(), Vec3{});
-    contact_forces(0);
+    particles_.clear_forces();
+    contact_forces({});
     forces_hold_ = true;
   }
 }

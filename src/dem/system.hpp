@@ -60,6 +60,12 @@ struct Snapshot {
   Real moved = 0;  ///< [m] farthest way since the lists were built
 };
 
+/// What one step of System::creep took.
+struct CreepReport {
+  Index substeps = 0;
+  Real shortest = 0;  ///< [s] substep
+};
+
 /// One touching pair, for output.
 struct ContactRecord {
   std::uint64_t first = 0;   ///< particle's id
@@ -93,6 +99,24 @@ class System {
   /// @throws RunError when a particle's speed is no longer a number
   void advance(Real dt, Index steps);
 
+  /// Keeps what creep() needs with each particle (Particles::creeping, zero at first); collective.
+  void start_creeping();
+
+  /// Moves all particles through one step `dt` of the flow as overdamped bodies; collective.
+  ///
+  ///     U = W + (F_contact + F_external)/R,    W = U* - F*/R extrapolated by AB2
+  ///
+  /// and the same for rotation. In: Particles::creeping's U*, F*, R and their rotational partners.
+  /// Positions advance in substeps, shorter than R/(2 sum of contact stiffnesses) and such that no
+  /// pair comes nearer by more than `allowed_approach` in one of them; without contacts, in one.
+  /// Out: mean_force and mean_torque, the contact forces averaged over the step: what the next solve
+  /// is told as F*. Inertia, dashpots and gravity play no part (algorithm.md section 5).
+  /// Tests: verification/dem_overdamped, mpi/dem.
+  CreepReport creep(Real dt, Real allowed_approach);
+
+  /// Multiplies every modulus by factor <= 1, see softening() in step_size.hpp.
+  void soften(Real factor);
+
   /// Tells the system that positions, radii, species or fixed flags were changed from outside.
   void rebuild();
 
@@ -125,8 +149,9 @@ class System {
   void build_lists(bool sort);
   void narrow_lists();
   void update_lists(Real fastest, Real dt);
-  void contact_forces(Real dt);
+  void contact_forces(const Evaluation& evaluation);
   void prepare();
+  [[nodiscard]] Real creep_limit(Real left, Real allowed);
   void check_walls() const;
 
   par::Communicator comm_;
@@ -138,6 +163,7 @@ class System {
   WallContacts walls_;
   bool lists_hold_ = false;
   bool forces_hold_ = false;
+  std::vector<Real> stiffness_;  ///< [N/m] of all contacts of each particle, for creep_limit
   Real skin_ = 0;
   Real moved_ = 0;         ///< [m] since the lists were built, at most, by any particle
   Real window_ = 0;        ///< [m] pairs nearer than this were kept by the last narrowing

@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "dem/contact_batch.hpp"
+#include "dem/pair_state.hpp"
 
 namespace porefines::dem {
 
@@ -23,20 +24,6 @@ Real speed_bound(const Surface& surface, const Particles& p) {
     bound = std::max(bound, norm(motion.velocity) + norm(motion.spin) * farthest);
   }
   return bound;
-}
-
-ContactState wall_state(const Particles& p, std::uint32_t i, const Touch& touch) {
-  const Vec3 spin = p.angular_velocity[i];
-  ContactState c;
-  c.normal = touch.normal;
-  c.overlap = -touch.gap;
-  c.slip = p.velocity[i] - touch.velocity - cross((p.radius[i] - c.overlap / 2) * spin, c.normal);
-  c.spin = spin;
-  // A hollow curved as the sphere itself would have no curvature left: keep a little.
-  c.radius = 1 / std::max(1 / p.radius[i] + touch.curvature, 0.01 / p.radius[i]);
-  c.mass = 1 / p.inverse_mass[i];
-  c.inertia = 1 / p.inverse_inertia[i];
-  return c;
 }
 
 void fill(const ContactState& c, int k, ContactBatch& b) {
@@ -89,15 +76,15 @@ void WallContacts::narrow(const Particles& p, Real window) {
   }
 }
 
-void WallContacts::add_forces(const ContactModel& model, const MaterialTable& materials, Real dt,
-                              Particles& p) {
+void WallContacts::add_forces(const ContactModel& model, const MaterialTable& materials,
+                              const Evaluation& evaluation, Particles& p) {
   next_.clear();
   with_law(model, [&](const auto& law) {
     static thread_local ContactBatch b{};
     std::array<Filled, batch_width> filled;
     b.count = 0;
     const auto flush = [&] {
-      evaluate(law, materials.pairs(), dt, b);
+      evaluate(law, materials.pairs(), evaluation.dt, b);
       for (int k = 0; k < b.count; ++k) {
         const auto [i, entry, share] = filled[k];
         const Vec3 force = share * b.force.get(k);
@@ -126,6 +113,10 @@ void WallContacts::add_forces(const ContactModel& model, const MaterialTable& ma
           }
           const int k = b.count++;
           fill(wall_state(p, c.particle, touch), k, b);
+          if (evaluation.creeping) {
+            b.mass[k] = 0;
+            b.inertia[k] = p.creeping.spin_resistance[c.particle] * std::max(evaluation.dt, 1e-30);
+          }
           const int wall = species_[touch.feature >> surface_shift];
           b.pair[k] = p.species[c.particle] * materials.count() + wall;
           b.load_history(k, std::bit_cast<HistoryNumbers>(next_.back().history).data(), length_);

@@ -29,8 +29,21 @@ class WallContacts {
   void build(const Particles& particles, Real skin, const KeptContacts& kept);
   /// Of these, the ones with gaps below `window` for the coming steps.
   void narrow(const Particles& particles, Real window);
-  void add_forces(const ContactModel& model, const MaterialTable& materials, Real dt,
-                  Particles& particles);
+  void add_forces(const ContactModel& model, const MaterialTable& materials,
+                  const Evaluation& evaluation, Particles& particles);
+
+  /// Calls visit(i, touch, wall's species) for every touch nearer than `reach` of the narrowed list.
+  template <typename Visit>
+  void for_near(const Particles& particles, Real reach, const Visit& visit) {
+    for (const Candidate& c : candidates_) {
+      if (c.near) {
+        find(particles, c.particle, reach);
+        for (const Touch& touch : touches_.view()) {
+          visit(c.particle, touch, species_[touch.feature >> surface_shift]);
+        }
+      }
+    }
+  }
   /// Moving walls go on for dt.
   void advance(Real dt);
   /// [m/s] no wall moves faster within `reach` of the particles.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MPL-2.0
 // Particles do not notice the seams between ranks: one rank moves alone what all move together.
 #include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -138,6 +139,39 @@ TEST(DemRanks, removal_and_late_insertion) {
   }
   const Largest off = difference(alone, together, par::Communicator());
   EXPECT_EQ(off.compared, alone.totals().particles);
+  EXPECT_LT(off.position, 1e-10 * d);
+}
+
+TEST(DemRanks, creeping_crowd) {
+  // Overdamped spheres driven towards the middle of the box, which is a corner of the blocks.
+  const auto run = [](const par::Communicator& comm) {
+    dem::Settings s = settings(true);
+    s.materials.soften(1e-4);
+    System system(comm, s);
+    system.start_creeping();
+    system.insert(gas(12, 14 * d, d / 2, 1.1, 0, 11));
+    Index substeps = 0;
+    for (int step = 0; step < 5; ++step) {
+      auto& p = system.particles();
+      for (std::size_t i = 0; i < p.owned; ++i) {
+        const Vec3 x = s.box.wrapped(p.position[i]);
+        const auto inwards = [](Real q) {
+          return -1e-3 * std::sin(2 * std::numbers::pi * q / (14 * d));
+        };
+        p.creeping.free_velocity[i] = {-inwards(x.x), -inwards(x.y), -inwards(x.z)};
+        p.creeping.resistance[i] = 6 * std::numbers::pi * 1e-3 * p.radius[i];
+        p.creeping.spin_resistance[i] = 8 * std::numbers::pi * 1e-3 * std::pow(p.radius[i], 3);
+      }
+      substeps += system.creep(4e-4, 1e-3 * d).substeps;
+    }
+    EXPECT_GT(substeps, 20);
+    return system;
+  };
+  const System alone = run(par::Communicator::self());
+  const System together = run(par::Communicator());
+  const Largest off = difference(alone, together, par::Communicator());
+  EXPECT_EQ(off.compared, 12 * 12 * 12);
+  EXPECT_GT(alone.totals().contacts, 50);
   EXPECT_LT(off.position, 1e-10 * d);
 }
 
