@@ -23,12 +23,12 @@ echo "3. Solving the flow on $RANKS processes."
 mpirun --oversubscribe -n "$RANKS" "$PF" run "$CASE/case.toml" -o "$OUT"
 
 value() {
-  sed -n "s/^ *\"$1\": \([^,]*\),*$/\1/p" "$OUT/summary.json"
+  printf "$2" "$(sed -n "s/^ *\"$1\": \([^,]*\),*$/\1/p" "$OUT/summary.json")"
 }
 echo
-echo "Done in $(value wall_time_s | cut -c1-5) s of simulation. What you have now:"
-echo "  permeability   $(value permeability_darcy | cut -c1-6) darcy"
-echo "  porosity       $(value porosity | cut -c1-6)"
+echo "Done in $(value wall_time_s "%.1f") s of simulation. What you have now:"
+echo "  permeability   $(value permeability_darcy "%.4g") darcy"
+echo "  porosity       $(value porosity "%.4f")"
 echo "  $OUT/speed.png, pressure.png     pictures of the flow"
 echo "  $OUT/geometry/                   pictures and numbers of the pores"
 echo "  $OUT/summary.json                every number"

@@ -2,7 +2,6 @@
 #include "inspection.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 #include <mpi.h>
@@ -10,6 +9,7 @@
 #include "config/reader.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "geom/rasterise.hpp"
 #include "sim/domain.hpp"
 
 namespace porefines {
@@ -66,27 +66,10 @@ Inspection from_image(const InspectArguments& arguments) {
 
 /// Lists of grains become an image of the cells of the case, with at least 200 voxels along the
 /// longest edge.
-geom::Voxels rasterise(const geom::Sample& sample, Real cell_size, Real& pixel) {
+Real list_pixel(const geom::Sample& sample, Real cell_size) {
   const Vec3 size = sample.box.size;
-  const Real longest = std::max({size.x, size.y, size.z});
-  pixel = cell_size > 0 ? std::min(cell_size, longest / 200) : longest / 200;
-  const bool flat = sample.spec.kind == geom::Kind::cylinders;
-  Int3 n{};
-  for (int axis = 0; axis < 3; ++axis) {
-    n[static_cast<std::size_t>(axis)] =
-        flat && axis == 2 ? 1 : std::max(static_cast<int>(std::lround(size[axis] / pixel)), 1);
-  }
-  const geom::Solid solid = geom::make_solid(sample, {}, size, pixel);
-  geom::Voxels voxels = geom::make_voxels(n, 0);
-  for (int k = 0; k < n[2]; ++k) {
-    for (int j = 0; j < n[1]; ++j) {
-      for (int i = 0; i < n[0]; ++i) {
-        const Vec3 x = pixel * Vec3{i + 0.5, j + 0.5, k + 0.5};
-        voxels.at(i, j, k) = geom::signed_distance(solid, x) > 0 ? 1 : 0;
-      }
-    }
-  }
-  return voxels;
+  const Real finest = std::max({size.x, size.y, size.z}) / 200;
+  return cell_size > 0 ? std::min(cell_size, finest) : finest;
 }
 
 }  // namespace
@@ -115,7 +98,8 @@ Volumes build_volumes(Inspection& inspection) {
   const geom::Sample found = geom::build_sample(raw, MPI_COMM_SELF);
   Volumes out{found.voxels, found.voxels, found.pixel, ""};
   if (inspection.spec.kind != geom::Kind::image) {
-    geom::Voxels voxels = rasterise(found, inspection.question.cell_size, out.pixel);
+    out.pixel = list_pixel(found, inspection.question.cell_size);
+    geom::Voxels voxels = geom::rasterise(found, out.pixel);
     out.found = out.kept = geom::share(std::move(voxels), MPI_COMM_SELF);
     return out;
   }

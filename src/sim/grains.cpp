@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geom/components.hpp"
+#include "geom/rasterise.hpp"
 
 namespace porefines::sim {
 namespace {
@@ -43,17 +44,37 @@ bool pore_voxel(const geom::Sample& sample, const Domain& domain, Int3 cell) {
 }
 
 /// Pore voxels in components that run through the sample.
-Index connected_pores(const geom::Sample& sample) {
+Index connected_pores(const geom::Sample& sample, const geom::VoxelView& voxels) {
   const geom::Surroundings& beyond = sample.box.beyond;
   const auto periodic = [&](int a) { return beyond[a] == geom::Beyond::periodic; };
   const int axis = sample.spec.flow_axis;
   const geom::Components parts = geom::find_components(
-      sample.voxels.view(), geom::Phase::pore, {periodic(0), periodic(1), periodic(2)}, axis);
-  Index voxels = 0;
+      voxels, geom::Phase::pore, {periodic(0), periodic(1), periodic(2)}, axis);
+  Index connected = 0;
   for (const geom::Component& part : parts.component) {
-    voxels += geom::percolates(part, periodic(axis)) ? part.voxels : 0;
+    connected += geom::percolates(part, periodic(axis)) ? part.voxels : 0;
   }
-  return voxels;
+  return connected;
+}
+
+/// Share of the pores between listed grains that carries flow, from an image of about a million voxels
+/// or of the cells, whichever is coarser. Collective.
+Real connected_share(const geom::Sample& sample, const Domain& domain,
+                     const par::Communicator& comm) {
+  constexpr Real most_voxels = 1e6;
+  const bool along_cylinders =
+      sample.spec.kind == geom::Kind::cylinders && sample.spec.flow_axis == 2;
+  Real share = 0;
+  if (comm.is_root() && !along_cylinders && sample.spec.kind != geom::Kind::empty) {
+    const geom::Voxels image =
+        geom::rasterise(sample, std::max(domain.spacing.x, geom::pixel_for(sample, most_voxels)));
+    const auto pores = std::count(image.pore.begin(), image.pore.end(), 1);
+    share = static_cast<Real>(connected_pores(sample, image.view())) /
+            static_cast<Real>(std::max<std::ptrdiff_t>(pores, 1));
+  } else if (comm.is_root()) {
+    share = 1;
+  }
+  return comm.sum(share);
 }
 
 }  // namespace
@@ -115,7 +136,7 @@ Porosity measure_porosity(const geom::Sample& sample, const Domain& domain,
     const auto voxels = static_cast<Real>(product(sample.voxels.n));
     const bool kept_all = !sample.spec.only_percolating;
     const Index connected = kept_all && !(sample.voxels.n[2] == 1 && sample.spec.flow_axis == 2)
-                                ? connected_pores(sample)
+                                ? connected_pores(sample, sample.voxels.view())
                                 : sample.kept_pores;
     return {static_cast<Real>(sample.found_pores) / voxels, static_cast<Real>(connected) / voxels};
   }
@@ -126,7 +147,7 @@ Porosity measure_porosity(const geom::Sample& sample, const Domain& domain,
     cells += inside;
   });
   const Real porosity = 1 - comm.sum(grains) / comm.sum(cells);
-  return {porosity, porosity};
+  return {porosity, porosity * connected_share(sample, domain, comm)};
 }
 
 }  // namespace porefines::sim

@@ -33,8 +33,8 @@ struct Porosity {
   Real connected = 1;
 };
 
-/// Images: counted in the voxels, before and after cleaning. Lists: 1 - mean solid fraction, all of
-/// it taken as connected. Collective.
+/// Images: counted in the voxels, before and after cleaning. Lists: 1 - mean solid fraction; the
+/// connected share from an image of at most a million voxels. Collective. Test: cli/drives.
 [[nodiscard]] Porosity measure_porosity(const geom::Sample& sample, const Domain& domain,
                                         const grid::Block& block,
                                         const std::vector<float>& solid_fraction,

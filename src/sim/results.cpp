@@ -97,6 +97,7 @@ Json summarise(const config::Case& the_case, const geom::Sample& sample, const D
   json.set("area_m2", domain.area());
   json.set("cell_size_m", domain.spacing.x);
   json.set("solver_cycles", flow.solve.cycles);
+  json.set("flux_cycles", flow.solve.flux_cycles);
   json.set("solver_residual", flow.solve.residual);
   json.set("cells", product(domain.cells));
   json.set("fluid_cells", facts.fluid_cells);

@@ -44,6 +44,7 @@ class Solving {
     };
     const flow::SolveReport report = solver_.solve(drive, options);
     result.solve.cycles += report.cycles;
+    result.solve.flux_cycles += report.flux_cycles;
     result.solve.residual = std::max(result.solve.residual, report.residual);
     result.solve.converged = report.converged;
     if (result.signal == 0) {

@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: MPL-2.0
 #pragma once
 
-#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <string>
 
 #include "geom/voxels.hpp"
+#include "support/shared_data.hpp"
 
 namespace porefines::geom::support {
 
-/// Path of a file in the shared data folder; empty when the folder is not there.
-inline std::string shared_file(const std::string& name) {
-  const char* const given = std::getenv("PF_SHARED");
-  const std::filesystem::path root =
-      given != nullptr ? given : std::filesystem::path(PF_SOURCE_DIR) / "../shared";
-  const auto path = root / "data" / name;
-  return std::filesystem::exists(path) ? path.string() : "";
-}
+using test::shared_file;
 
 /// Scratch folder of one test, empty at the start.
 inline std::filesystem::path scratch(const std::string& name) {
