@@ -21,6 +21,17 @@ int nearest_integer(float x) {
   return static_cast<int>(std::floor(x + 0.5F));
 }
 
+/// Distance from x to a seed's piece of the surface: to its plane as long as the foot is near the seed,
+///
+///     sign(s) sqrt(s^2 + max(0, t - 3/4)^2),   t^2 = |x - (q - s_q n_q)|^2 - s^2,
+///
+/// and around its rim where the plane would reach beyond the surface (outside a corner).
+float to_piece(float s, float apart) {
+  constexpr float rim = 0.75F;
+  const float beyond = std::sqrt(std::max(0.0F, apart - s * s)) - rim;
+  return beyond > 0 ? std::copysign(std::sqrt(s * s + beyond * beyond), s) : s;
+}
+
 /// Signed distance at a voxel by the tangent plane at its foot point.
 ///
 /// Start from the nearest seed q (offset d = x - q):  s = s_q + n_q . d; the foot is x - s n_q;
@@ -45,7 +56,7 @@ float carry(const SurfaceSeeds& surface, const std::array<Index, 3>& stride, Ind
     const float square = x * x + y * y + z * z;
     if (n[0] == 0 && n[1] == 0 && n[2] == 0) {  // a ball of diameter one
       const float ball = std::sqrt(square) - 0.5F;
-      return ball * ball < nearest ? (own > 0 ? -ball : ball) : s;
+      return ball * ball < nearest ? (own > 0 ? -ball : ball) : to_piece(s, nearest);
     }
     const float along = n[0] * x + n[1] * y + n[2] * z;
     // |x - foot of q|^2 with the foot at q - s_q n_q
@@ -65,7 +76,7 @@ float carry(const SurfaceSeeds& surface, const std::array<Index, 3>& stride, Ind
     }
     d = foot;
   }
-  return s;
+  return to_piece(s, nearest);
 }
 
 /// Distance at one voxel from its nearest seed (offset) and, close by, from its own.

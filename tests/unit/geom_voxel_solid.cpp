@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MPL-2.0
+#include <algorithm>
+#include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -106,6 +108,30 @@ TEST(VoxelSolid, wall_along_the_grid_is_exact_with_unit_slope) {
   }
   EXPECT_NEAR(signed_distance(solid, {70e-6, 9e-6, 0}), 16e-6, 1e-12);  // saturates at the band
   EXPECT_NEAR(signed_distance(solid, {2e-6, 9e-6, 0}), -16e-6, 1e-12);
+}
+
+/// Planes end at an edge: beyond it the distance is that to the edge, rounded by the smoothing.
+TEST(VoxelSolid, goes_round_the_end_of_a_plate_and_the_corner_of_a_square) {
+  for (const Real thickness : {2.0, 3.0, 20.0}) {
+    const auto exact = [&](const Vec3& x) {
+      const Real out = std::max(0.0, x.x - 20);
+      return x.y > 24 ? std::hypot(out, x.y - 24)
+                      : std::hypot(out, std::max(0.0, 24 - thickness - x.y));
+    };
+    const Voxels voxels =
+        support::rasterise({48, 48, 1}, [&](const Vec3& x) { return exact(x) > 0 ? 1 : -1; });
+    const auto solid = smooth_solid(voxels.view(), 1, open, {{0, 0, 0}, voxels.n}, {1, 16});
+    Real worst = 0;
+    for (int j = 14; j < 40; ++j) {
+      for (int i = 21; i < 36; ++i) {
+        const Vec3 x{i + 0.5, j + 0.5, 0};
+        if (exact(x) > 2 && exact(x) < 14) {
+          worst = std::max(worst, std::abs(signed_distance(solid, x) - exact(x)));
+        }
+      }
+    }
+    EXPECT_LT(worst, 0.6) << thickness << " pixels thick";
+  }
 }
 
 TEST(VoxelSolid, slits_keep_their_width_down_to_one_pixel) {
