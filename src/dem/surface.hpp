@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "dem/primitive.hpp"
+#include "dem/surface_field.hpp"
 #include "dem/touch.hpp"
 
 namespace porefines::dem {
 
 /// What spheres bump into: one description of walls or grains.
-using Surface = std::variant<Primitives>;
+using Surface = std::variant<Primitives, DistanceField>;
 
 /// All surfaces of a case; a touch's feature carries the place of its surface in the top byte.
 using Surfaces = std::vector<Surface>;
