@@ -6,12 +6,13 @@
 
 #include "dem/primitive.hpp"
 #include "dem/surface_field.hpp"
+#include "dem/surface_round.hpp"
 #include "dem/touch.hpp"
 
 namespace porefines::dem {
 
 /// What spheres bump into: one description of walls or grains.
-using Surface = std::variant<Primitives, DistanceField>;
+using Surface = std::variant<Primitives, RoundGrains<3>, RoundGrains<2>, DistanceField>;
 
 /// All surfaces of a case; a touch's feature carries the place of its surface in the top byte.
 using Surfaces = std::vector<Surface>;

@@ -5,33 +5,16 @@
 
 #include "dem/surface_foot.hpp"
 #include "geom/nearest.hpp"
+#include "geom/surface_seeds.hpp"
 
 namespace porefines::dem {
 
 namespace {
 
-constexpr int block_edge = 2;    // [voxels] of the clearance grid
 constexpr Real spacing = 0.75;   // [voxels] how much farther than the surface its next point may be
 constexpr Real border = 3;       // [voxels] that the spline and Newton's steps need around a foot
 constexpr Real near_foot = 0.9;  // [voxels] tangential offset of a point that may start a descent
-
-int floor_div(int a, int b) {
-  return a >= 0 ? a / b : -((b - 1 - a) / b);
-}
-
-/// Place of a point in the clearance grid, -1 outside.
-Index block_of(const DistanceField& field, const Vec3& x) {
-  Int3 at{};
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
-    at[a] =
-        static_cast<int>(std::floor((x[axis] + 0.5) * (1.0 / block_edge))) - field.first_block[a];
-    if (at[a] < 0 || at[a] >= field.blocks[a]) {
-      return -1;
-    }
-  }
-  return geom::voxel_index(field.blocks, at[0], at[1], at[2]);
-}
+constexpr Real same_foot = 0.6;  // [voxels] starts that lead this close to a foot are not followed
 
 /// Marks voxels that hold surface points, in the window grown by `by`.
 std::vector<std::uint8_t> mark_points(const DistanceField& field, const geom::Window& grown) {
@@ -49,72 +32,69 @@ std::vector<std::uint8_t> mark_points(const DistanceField& field, const geom::Wi
 
 void fill_clearance(DistanceField& field, int reach) {
   const SurfaceSpline& spline = field.spline;
-  geom::Window grown = spline.window;
-  for (std::size_t a = 0; a < 3; ++a) {
-    field.first_block[a] = floor_div(spline.window.first[a], block_edge);
-    field.blocks[a] = floor_div(spline.window.past[a] - 1, block_edge) - field.first_block[a] + 1;
-    if (a < 2 || !spline.flat) {
-      grown.first[a] -= reach;
-      grown.past[a] += reach;
-    }
-  }
-  field.clearance.assign(static_cast<std::size_t>(product(field.blocks)),
-                         static_cast<float>(reach));
-  const Real corners = spline.flat ? std::sqrt(2.0) : std::sqrt(3.0);
-  const Int3 n = spline.window.size();
+  const geom::Window& window = spline.window;
+  const int axes = spline.flat ? 2 : 3;
+  const Real corners = std::sqrt(axes) + spacing;  // point and query anywhere in their voxels
+  const Int3 n = window.size();
+  field.clearance.resize(static_cast<std::size_t>(product(n)));
+  const auto to_border = [&](int i, std::size_t a) { return std::min(i, n[a] - 1 - i); };
+  const geom::Window grown = geom::grown(window, reach, spline.flat);
   geom::for_each_nearest(
       mark_points(field, grown), grown.size(), reach,
       [&](int j, int k, const std::vector<geom::Offset>& row) {
-        const int y = spline.window.first[1] + j;
-        const int z = spline.window.first[2] + k;
+        const int across = axes == 2 ? to_border(j, 1) : std::min(to_border(j, 1), to_border(k, 2));
         for (int i = 0; i < n[0]; ++i) {
-          const int x = spline.window.first[0] + i;
           const geom::Offset& d = row[static_cast<std::size_t>(i)];
-          float& least = field.clearance[static_cast<std::size_t>(
-              block_of(field, {static_cast<Real>(x), static_cast<Real>(y), static_cast<Real>(z)}))];
-          if (d.dx != geom::Offset::nothing) {
-            const Real away = std::hypot(d.dx, d.dy, d.dz) - corners;
-            least = std::min(least, static_cast<float>(std::max<Real>(away, 0)));
-          }
-          if (spline.coefficient(x, y, z) < 0) {
-            least = -1;
-          }
+          const auto v = static_cast<std::size_t>(geom::voxel_index(n, i, j, k));
+          const Real known = std::min(across, to_border(i, 0)) - border - 0.5;
+          const Real away = d.dx == geom::Offset::nothing
+                                ? reach
+                                : std::sqrt(Real{1} * d.dx * d.dx + Real{1} * d.dy * d.dy +
+                                            Real{1} * d.dz * d.dz) -
+                                      corners;
+          const Real least = std::clamp<Real>(std::min(away, known), 0, 63);
+          field.clearance[v] = spline.c[v] < 0 ? 0 : static_cast<std::uint8_t>(4 * least);
         }
       });
 }
 
-/// Points of the surface from which descents start, nearest first.
+/// A point of the surface from which a descent may start.
+struct Start {
+  Real square;  ///< of its distance from the centre
+  Vec3 at;
+  Vec3 leads_to;  ///< where Newton's first step goes, roughly
+};
+
 struct Starts {
-  struct Start {
-    Real square;
-    std::size_t point;
-  };
-  static constexpr std::size_t capacity = 256;
-  std::array<Start, capacity> start;
+  static constexpr std::size_t capacity = 128;
   std::size_t count = 0;
   int lost = 0;
+  std::array<Start, capacity> start;
 };
 
 /// Points near a foot: where the way to the centre is almost along the normal.
-void find_starts(const SurfacePoints& points, const Vec3& c, Real distance, Starts& out) {
-  points.for_each_near(c, distance, [&](std::size_t p) {
-    const Vec3 away = c - Vec3{points.x[p], points.y[p], points.z[p]};
+void find_starts(const SurfacePoints& points, const Vec3& c, Real within, Starts& out) {
+  constexpr Real slack =
+      0.15;  // a foot is at most so much nearer than the tangent plane at a start
+  points.for_each_near(c, within + spacing, [&](std::size_t p) {
     const SurfacePoints::Shape& shape = points.shape[p];
-    const Real d = away.x * shape.normal[0] + away.y * shape.normal[1] + away.z * shape.normal[2];
+    const Vec3 at{points.x[p], points.y[p], points.z[p]};
+    const Vec3 normal{shape.normal[0], shape.normal[1], shape.normal[2]};
+    const Vec3 away = c - at;
+    const Real d = dot(away, normal);
     const Real square = dot(away, away);
-    const Real most = near_foot * (1 + std::abs(d) * shape.bend);
-    if (square - d * d < most * most) {
-      if (out.count < Starts::capacity) {
-        out.start[out.count++] = {square, p};
-      } else {
-        ++out.lost;
-      }
+    const Real stretch = 1 + std::abs(d) * shape.bend;
+    if (d > within + slack || square - d * d > near_foot * near_foot * stretch * stretch) {
+      return;
+    }
+    if (out.count < Starts::capacity) {
+      out.start[out.count++] = {square, at, at + (1 / stretch) * (away - d * normal)};
+    } else {
+      ++out.lost;
     }
   });
   std::sort(out.start.begin(), out.start.begin() + static_cast<std::ptrdiff_t>(out.count),
-            [](const auto& a, const auto& b) {
-              return a.square < b.square || (a.square == b.square && a.point < b.point);
-            });
+            [](const Start& a, const Start& b) { return a.square < b.square; });
 }
 
 struct Feet {
@@ -123,46 +103,41 @@ struct Feet {
   int lost = 0;
 };
 
-/// All minima nearer than `within`, each once.
-void descend(const DistanceField& field, const Vec3& c, Real within, const Starts& starts,
-             Feet& out) {
-  std::array<Vec3, Starts::capacity> seen;
-  std::size_t seen_count = 0;
-  const auto is_seen = [&](const Vec3& x, Real distance) {
-    return std::any_of(seen.begin(), seen.begin() + static_cast<std::ptrdiff_t>(seen_count),
-                       [&](const Vec3& y) { return dot(x - y, x - y) < distance * distance; });
+bool is_near(const Vec3& a, const Vec3& b, Real distance) {
+  return dot(a - b, a - b) < distance * distance;
+}
+
+/// The minima that the starts lead to, each once.
+void descend(const DistanceField& field, const Vec3& c, const Starts& starts, Feet& out) {
+  const auto leads_to_known = [&](const Start& start) {
+    return std::any_of(out.foot.begin(), out.foot.begin() + static_cast<std::ptrdiff_t>(out.count),
+                       [&](const Foot& foot) {
+                         return is_near(foot.at, start.leads_to, same_foot) ||
+                                is_near(foot.at, start.at, near_foot);
+                       });
   };
-  for (std::size_t s = 0; s < starts.count && seen_count + 2 < seen.size(); ++s) {
-    const std::size_t p = starts.start[s].point;
-    const Vec3 from{field.points.x[p], field.points.y[p], field.points.z[p]};
-    if (is_seen(from, near_foot)) {
+  for (std::size_t s = 0; s < starts.count; ++s) {
+    if (leads_to_known(starts.start[s])) {
       continue;
     }
-    const Foot foot = find_foot(field.spline, c, from);
-    seen[seen_count++] = from;
-    if (!foot.found) {
+    const Foot foot = find_foot(field.spline, c, starts.start[s].at);
+    const auto past = out.foot.begin() + static_cast<std::ptrdiff_t>(out.count);
+    if (!foot.found || std::any_of(out.foot.begin(), past, [&](const Foot& other) {
+          return is_near(foot.at, other.at, 0.02);
+        })) {
       continue;
     }
-    const bool known =
-        std::any_of(out.foot.begin(), out.foot.begin() + static_cast<std::ptrdiff_t>(out.count),
-                    [&](const Foot& other) { return norm(foot.at - other.at) < 0.02; });
-    if (known) {
-      continue;
-    }
-    seen[seen_count++] = foot.at;
-    if (foot.distance < within) {
-      if (out.count < out.foot.size()) {
-        out.foot[out.count++] = foot;
-      } else {
-        ++out.lost;
-      }
+    if (out.count < out.foot.size()) {
+      out.foot[out.count++] = foot;
+    } else {
+      ++out.lost;
     }
   }
 }
 
-/// Nearest first. The nearest foot knows whether the centre is in the pore; then feet on the far
+/// Leaves the feet nearer than `within`, nearest first. The nearest foot knows whether the centre is in the pore; then feet on the far
 /// side of a thin grain do not count. A centre in a grain leaves it by the nearest way.
-void keep_near_side(Feet& feet) {
+void keep_near_side(Real within, Feet& feet) {
   const auto first = feet.foot.begin();
   auto past = first + static_cast<std::ptrdiff_t>(feet.count);
   std::sort(first, past, [](const Foot& a, const Foot& b) {
@@ -171,7 +146,9 @@ void keep_near_side(Feet& feet) {
   if (feet.count > 0 && first->distance <= 0) {
     past = first + 1;
   } else {
-    past = std::remove_if(first, past, [](const Foot& foot) { return foot.distance <= 0; });
+    past = std::remove_if(first, past, [&](const Foot& foot) {
+      return foot.distance <= 0 || foot.distance >= within;
+    });
   }
   feet.count = static_cast<std::size_t>(past - first);
 }
@@ -216,27 +193,22 @@ DistanceField make_field(const geom::VoxelSolid& solid, Real largest, const Vec3
 void find_touches(const DistanceField& field, const Vec3& centre, Real radius, Real reach,
                   TouchList& out) {
   const Real scale = 1 / field.pixel;
-  Vec3 x = scale * (centre - field.corner) - Vec3{0.5, 0.5, 0.5};
-  x.z = field.spline.flat ? 0 : x.z;
+  const Vec3 x = to_voxels(field, centre, scale);
   const Real r = scale * radius;
   const Real within = r + scale * reach;
-  const Index block = block_of(field, x);
-  if (block >= 0 && field.clearance[static_cast<std::size_t>(block)] > within + spacing &&
-      covers(field, x, within)) {
+  if (!may_touch(field, x, within)) {
     return;
   }
   if (!covers(field, x, within + border)) {
     out.uncovered = true;
-    if (block < 0) {
-      return;
-    }
+    return;
   }
   Starts starts;
-  find_starts(field.points, x, within + spacing, starts);
+  find_starts(field.points, x, within, starts);
   Feet feet;
-  descend(field, x, within, starts, feet);
+  descend(field, x, starts, feet);
   out.lost += starts.lost + feet.lost;
-  keep_near_side(feet);
+  keep_near_side(within, feet);
   const std::span<Foot> found(feet.foot.data(), feet.count);
   if (found.size() > 1) {
     share_force(field.spline, x, r, found);
@@ -245,8 +217,7 @@ void find_touches(const DistanceField& field, const Vec3& centre, Real radius, R
     out.inside = out.inside || foot.distance <= 0;
     out.add({foot.normal, (foot.distance - r) * field.pixel, {}, 0, foot.share, 0});
   }
-  if (found.empty() && field.clearance[static_cast<std::size_t>(block)] < 0 &&
-      field.spline.jet(x).f < 0) {
+  if (found.empty() && field.spline.jet(x).f < 0) {
     push_out(field, x, r, out);
   }
 }

@@ -30,7 +30,7 @@ Step tangential_step(const Bending& b, Real d, const Vec3& e, Real longest) {
   const Real mean = 1 + 0.5 * d * (b.uu + b.vv);
   const Real half = 0.5 * d * (b.uu - b.vv);
   const Real off = d * b.uv;
-  const Real spread = std::hypot(half, off);
+  const Real spread = std::sqrt(half * half + off * off);
   const Real high = std::max(std::abs(mean + spread), least);
   const Real low = std::max(std::abs(mean - spread), least);
   // inverse = p I + q (M - mean I) / spread on the eigenvectors of M
@@ -38,7 +38,7 @@ Step tangential_step(const Bending& b, Real d, const Vec3& e, Real longest) {
   const Real q = spread > 0 ? 0.5 * (1 / high - 1 / low) / spread : 0;
   Real tu = p * eu + q * (half * eu + off * ev);
   Real tv = p * ev + q * (off * eu - half * ev);
-  const Real length = std::hypot(tu, tv);
+  const Real length = std::sqrt(tu * tu + tv * tv);
   const Real scale = length > longest ? longest / length : 1;
   tu *= scale;
   tv *= scale;
@@ -140,10 +140,11 @@ Foot find_foot(const SurfaceSpline& spline, const Vec3& centre, const Vec3& star
     const Vec3 from = centre - best;
     const Real d = dot(from, b.n);
     step = tangential_step(b, d, from - d * b.n, longest);
-    if (norm(step.t) < settled && std::abs(residual) < settled) {
+    x = best + step.t - step.bent * b.n;
+    if (dot(step.t, step.t) < settled * settled && std::abs(residual) < settled) {
+      best = x;
       break;
     }
-    x = best + step.t - step.bent * b.n;
   }
   const Vec3 away = centre - best;
   const Real length = norm(away);

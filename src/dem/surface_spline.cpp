@@ -2,6 +2,7 @@
 #include "dem/surface_spline.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 namespace porefines::dem {
 
@@ -14,10 +15,11 @@ struct Weights {
   std::array<Real, 4> dd;
 };
 
-Weights weights(Real t) {
+inline Weights weights(Real t) {
+  constexpr Real sixth = 1.0 / 6;
   const Real u = 1 - t;
-  return {{u * u * u / 6, (4 - 6 * t * t + 3 * t * t * t) / 6, (4 - 6 * u * u + 3 * u * u * u) / 6,
-           t * t * t / 6},
+  return {{sixth * u * u * u, sixth * (4 - 6 * t * t + 3 * t * t * t),
+           sixth * (4 - 6 * u * u + 3 * u * u * u), sixth * t * t * t},
           {-0.5 * u * u, 1.5 * t * t - 2 * t, 2 * u - 1.5 * u * u, 0.5 * t * t},
           {u, 3 * t - 2, 1 - 3 * t, t}};
 }
@@ -30,25 +32,27 @@ int locate(Real x, int first, int past, Real& t) {
   return low - 1 - first;
 }
 
-Real sum(const std::array<Real, 4>& a, const std::array<Real, 4>& b) {
+using Lanes [[gnu::vector_size(4 * sizeof(Real))]] = Real;  // of GCC and Clang: twice as fast here
+using FloatLanes [[gnu::vector_size(4 * sizeof(float))]] = float;
+
+Real sum(const std::array<Real, 4>& a, const Lanes& b) {
   return (a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3]);
 }
 
 /// Sums over y and z of the four columns along x, with the weights of their derivatives.
 struct Columns {
-  std::array<Real, 4> f{}, y{}, z{}, yy{}, zz{}, yz{};
+  Lanes f{}, y{}, z{}, yy{}, zz{}, yz{};
 
   void add(const float* c, Real wf, Real wy, Real wz, Real wyy, Real wzz, Real wyz) {
-#pragma omp simd
-    for (std::size_t l = 0; l < 4; ++l) {
-      const auto v = static_cast<Real>(c[l]);
-      f[l] += wf * v;
-      y[l] += wy * v;
-      z[l] += wz * v;
-      yy[l] += wyy * v;
-      zz[l] += wzz * v;
-      yz[l] += wyz * v;
-    }
+    FloatLanes single;
+    std::memcpy(&single, c, sizeof single);
+    const Lanes v = __builtin_convertvector(single, Lanes);
+    f += wf * v;
+    y += wy * v;
+    z += wz * v;
+    yy += wyy * v;
+    zz += wzz * v;
+    yz += wyz * v;
   }
 };
 

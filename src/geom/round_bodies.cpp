@@ -2,6 +2,7 @@
 #include "geom/round_bodies.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -27,7 +28,8 @@ namespace {
 
 /// The bodies and those of their periodic images that come within `margin` of the box.
 template <int dims>
-std::vector<Body> with_images(const std::vector<Body>& bodies, const SampleBox& box, Real margin) {
+std::vector<Body> with_images(const std::vector<Body>& bodies, const SampleBox& box, Real margin,
+                              std::vector<std::int32_t>& which) {
   std::vector<Body> all = bodies;
   for (int axis = 0; axis < dims; ++axis) {
     if (box.beyond[static_cast<std::size_t>(axis)] != Beyond::periodic) {
@@ -35,7 +37,9 @@ std::vector<Body> with_images(const std::vector<Body>& bodies, const SampleBox& 
     }
     const Real size = box.size[axis];
     std::vector<Body> next;
-    for (const Body& body : all) {
+    std::vector<std::int32_t> next_which;
+    for (std::size_t b = 0; b < all.size(); ++b) {
+      const Body& body = all[b];
       const Real reach = body.radius + margin;
       const Real c = body.centre[axis];
       const int lowest = static_cast<int>(std::ceil((-reach - c) / size));
@@ -43,9 +47,11 @@ std::vector<Body> with_images(const std::vector<Body>& bodies, const SampleBox& 
       for (int shift = lowest; shift <= highest; ++shift) {
         next.push_back(body);
         next.back().centre[axis] = c + shift * size;
+        next_which.push_back(which[b]);
       }
     }
     all = std::move(next);
+    which = std::move(next_which);
   }
   return all;
 }
@@ -55,9 +61,11 @@ std::vector<Body> with_images(const std::vector<Body>& bodies, const SampleBox& 
 template <int dims>
 RoundBodies<dims>::RoundBodies(const std::vector<Body>& bodies, const SampleBox& box,
                                bool periodic_images, Real band)
-    : box_(box),
-      band_(band),
-      body_(periodic_images ? with_images<dims>(bodies, box, band) : bodies) {
+    : box_(box), band_(band), body_(bodies), which_(bodies.size()) {
+  std::iota(which_.begin(), which_.end(), 0);
+  if (periodic_images) {
+    body_ = with_images<dims>(bodies, box, band, which_);
+  }
   if (!(band > 0)) {
     throw InputError(fmt::format("distance band of {:.3g} m: it must be positive.", band));
   }

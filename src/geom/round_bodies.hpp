@@ -38,6 +38,12 @@ class RoundBodies {
 
   [[nodiscard]] Real signed_distance(const Vec3& x) const;
   [[nodiscard]] Real band() const { return band_; }
+
+  /// Calls visit(d, radius, which) for every body or image with |d| - radius < within <= band,
+  /// where d [m] points from its centre (or axis) to x and `which` is its place in the list given.
+  /// x may lie beyond a mirror; d is then reflected with it.
+  template <class Visit>
+  void for_each_near(const Vec3& x, Real within, const Visit& visit) const;
   [[nodiscard]] std::size_t size() const { return body_.size(); }  ///< images included
 
  private:
@@ -51,15 +57,48 @@ class RoundBodies {
   Real cell_ = 1;  ///< edge of a cell [m]
   Int3 n_{1, 1, 1};
   std::vector<Body> body_;
-  std::vector<Index> first_;  ///< per cell: where its list starts
+  std::vector<std::int32_t> which_;  ///< place in the list given, the same for all images
+  std::vector<Index> first_;         ///< per cell: where its list starts
   std::vector<std::int32_t> list_;
 };
 
-using SphereList = RoundBodies<3>;
-using CylinderList = RoundBodies<2>;
-
 /// Coordinate inside the sample that stands for x along an axis; unchanged beyond an open face.
 [[nodiscard]] Real fold(Real x, Real size, Beyond beyond);
+
+template <int dims>
+template <class Visit>
+void RoundBodies<dims>::for_each_near(const Vec3& x, Real within, const Visit& visit) const {
+  Vec3 y = x;
+  Vec3 sign{1, 1, 1};
+  Int3 cell{0, 0, 0};
+  for (int axis = 0; axis < dims; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    const Real size = box_.size[axis];
+    y[axis] = fold(x[axis], size, box_.beyond[a]);
+    if (box_.beyond[a] == Beyond::mirror &&
+        x[axis] - 2 * size * std::floor(x[axis] / (2 * size)) >= size) {
+      sign[axis] = -1;
+    }
+    cell[a] = cell_of(y[axis], axis);
+    if (cell[a] < 0 || cell[a] >= n_[a]) {
+      return;
+    }
+  }
+  const auto place =
+      static_cast<std::size_t>(cell[0] + Index{n_[0]} * (cell[1] + Index{n_[1]} * cell[2]));
+  for (Index entry = first_[place]; entry < first_[place + 1]; ++entry) {
+    const auto b = static_cast<std::size_t>(list_[static_cast<std::size_t>(entry)]);
+    Vec3 d = y - body_[b].centre;
+    d.z = dims == 2 ? 0 : d.z;
+    const Real most = body_[b].radius + within;
+    if (most > 0 && dot(d, d) < most * most) {
+      visit(Vec3{sign.x * d.x, sign.y * d.y, sign.z * d.z}, body_[b].radius, which_[b]);
+    }
+  }
+}
+
+using SphereList = RoundBodies<3>;
+using CylinderList = RoundBodies<2>;
 
 /// Rows `x y z r` (dims 3) or `x y r` (dims 2), numbers apart by blanks, commas or semicolons.
 ///
