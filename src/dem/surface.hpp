@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MPL-2.0
 #pragma once
 
+#include <memory>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -11,8 +13,23 @@
 
 namespace porefines::dem {
 
+/// Grains that never change: copies share them.
+template <class Grains>
+struct Fixed {
+  std::shared_ptr<const Grains> grains;
+
+  Fixed(Grains given) : grains(std::make_shared<const Grains>(std::move(given))) {}
+};
+
+template <class Grains>
+void find_touches(const Fixed<Grains>& fixed, const Vec3& centre, Real radius, Real reach,
+                  TouchList& out) {
+  find_touches(*fixed.grains, centre, radius, reach, out);
+}
+
 /// What spheres bump into: one description of walls or grains.
-using Surface = std::variant<Primitives, RoundGrains<3>, RoundGrains<2>, DistanceField>;
+using Surface =
+    std::variant<Primitives, Fixed<RoundGrains<3>>, Fixed<RoundGrains<2>>, Fixed<DistanceField>>;
 
 /// All surfaces of a case; a touch's feature carries the place of its surface in the top byte.
 using Surfaces = std::vector<Surface>;

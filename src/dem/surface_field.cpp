@@ -13,7 +13,7 @@ namespace {
 
 constexpr Real spacing = 0.75;   // [voxels] how much farther than the surface its next point may be
 constexpr Real border = 3;       // [voxels] that the spline and Newton's steps need around a foot
-constexpr Real near_foot = 0.9;  // [voxels] tangential offset of a point that may start a descent
+constexpr Real near_foot = 1.0;  // [voxels] tangential offset of a point that may start a descent
 constexpr Real same_foot = 0.6;  // [voxels] starts that lead this close to a foot are not followed
 
 /// Marks voxels that hold surface points, in the window grown by `by`.
@@ -48,7 +48,7 @@ void fill_clearance(DistanceField& field, int reach) {
           const auto v = static_cast<std::size_t>(geom::voxel_index(n, i, j, k));
           const Real known = std::min(across, to_border(i, 0)) - border - 0.5;
           const Real away = d.dx == geom::Offset::nothing
-                                ? reach
+                                ? reach - corners
                                 : std::sqrt(Real{1} * d.dx * d.dx + Real{1} * d.dy * d.dy +
                                             Real{1} * d.dz * d.dz) -
                                       corners;
@@ -217,8 +217,13 @@ void find_touches(const DistanceField& field, const Vec3& centre, Real radius, R
     out.inside = out.inside || foot.distance <= 0;
     out.add({foot.normal, (foot.distance - r) * field.pixel, {}, 0, foot.share, 0});
   }
-  if (found.empty() && field.spline.jet(x).f < 0) {
+  if (!found.empty()) {
+    return;
+  }
+  if (field.spline.jet(x).f < 0) {
     push_out(field, x, r, out);
+  } else if (starts.count > 0 && starts.start[0].square < (r - 0.5) * std::abs(r - 0.5)) {
+    ++out.lost;  // the surface is within the sphere, but no descent found its foot
   }
 }
 

@@ -12,15 +12,15 @@ namespace {
 
 constexpr int most_steps = 30;
 constexpr Real longest_step = 0.7;  // [voxels]
-constexpr Real settled = 1e-6;     // [voxels] of the last step; the distance is then right to 1e-12
-constexpr Real on_surface = 1e-3;  // [voxels] good enough where the last steps did not settle
+constexpr Real settled = 1e-6;  // [voxels] of the last step; the distance is then right to 1e-12
+constexpr Real nearly_settled = 0.02;  // [voxels] of the tangential offset
+constexpr Real on_surface = 1e-3;      // [voxels] good enough where the last steps did not settle
 constexpr Real least_slope = 0.1;
 
 /// Tangential step of (I + d S) t = e with |eigenvalues|, at least `least`: always downhill.
 struct Step {
   Vec3 t;
-  Real bent = 0;    ///< t.S t / 2
-  Real lowest = 0;  ///< eigenvalue of I + d S: negative on a saddle
+  Real bent = 0;  ///< t.S t / 2
 };
 
 Step tangential_step(const Bending& b, Real d, const Vec3& e, Real longest) {
@@ -42,8 +42,7 @@ Step tangential_step(const Bending& b, Real d, const Vec3& e, Real longest) {
   const Real scale = length > longest ? longest / length : 1;
   tu *= scale;
   tv *= scale;
-  return {tu * b.u + tv * b.v, 0.5 * (b.uu * tu * tu + 2 * b.uv * tu * tv + b.vv * tv * tv),
-          mean - spread};
+  return {tu * b.u + tv * b.v, 0.5 * (b.uu * tu * tu + 2 * b.uv * tu * tv + b.vv * tv * tv)};
 }
 
 Real smooth_step(Real t) {
@@ -118,6 +117,7 @@ Foot find_foot(const SurfaceSpline& spline, const Vec3& centre, const Vec3& star
   Step step;
   Real least = std::numeric_limits<Real>::max();
   Real longest = longest_step;
+  Real off = 0;  // tangential offset
   for (int count = 0; count < most_steps; ++count) {
     const Jet jet = spline.jet(x);
     const Bending here = bending(jet);
@@ -139,6 +139,7 @@ Foot find_foot(const SurfaceSpline& spline, const Vec3& centre, const Vec3& star
     }
     const Vec3 from = centre - best;
     const Real d = dot(from, b.n);
+    off = norm(from - d * b.n);
     step = tangential_step(b, d, from - d * b.n, longest);
     x = best + step.t - step.bent * b.n;
     if (dot(step.t, step.t) < settled * settled && std::abs(residual) < settled) {
@@ -149,6 +150,7 @@ Foot find_foot(const SurfaceSpline& spline, const Vec3& centre, const Vec3& star
   const Vec3 away = centre - best;
   const Real length = norm(away);
   const Real side = dot(away, b.n) < 0 ? -1 : 1;
+  out.found = out.found && off < nearly_settled;
   out.at = best;
   out.distance = side * length;
   out.normal = length > 1e-6 ? (side / length) * away : b.n;

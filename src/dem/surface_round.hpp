@@ -22,7 +22,7 @@ template <int dims>
 void find_touches(const RoundGrains<dims>& grains, const Vec3& centre, Real radius, Real reach,
                   TouchList& out) {
   const Real within = radius + reach;
-  out.uncovered = out.uncovered || within > grains.bodies.band();
+  out.uncovered = out.uncovered || within > 1.000001 * grains.bodies.band();
   grains.bodies.for_each_near(centre - grains.corner, within,
                               [&](const Vec3& d, Real grain, std::int32_t which) {
                                 const Real away = norm(d);
