@@ -111,7 +111,6 @@ struct Shape {
   Triple normal{0, 0, 1};  ///< plane: into the side of the particles
   Triple axis{0, 0, 1};    ///< cylinder
   Real radius = 0;         ///< [m] cylinder, sphere
-  Real length = 0;         ///< [m] cylinder: from the point along the axis; 0: without end
   bool inside = false;     ///< cylinder, sphere: particles are inside
   std::string source;      ///< mesh: absolute path of an STL file
   Real unit = 1;           ///< [m] mesh: of the numbers in the file

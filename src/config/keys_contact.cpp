@@ -130,8 +130,6 @@ Key surface_key() {
                  triple_item("axis", &S::axis, kind::number, "cylinder: its direction")),
       quantity_item("radius", &S::radius, kind::length, lengths, "required for both",
                     "cylinder, sphere"),
-      quantity_item("length", &S::length, kind::length, lengths, "without end",
-                    "cylinder: from the point along the axis"),
       only_where(round,
                  flag_item("inside", &S::inside, "cylinder, sphere: particles are inside of it")),
       path_item("source", &S::source, "required for a mesh", "mesh: an STL file"),

@@ -117,7 +117,6 @@ void check_shape(const Shape& shape, const Node& item) {
   using enum ShapeKind;
   meant_for("normal", {plane});
   meant_for("axis", {cylinder});
-  meant_for("length", {cylinder});
   meant_for("radius", {cylinder, sphere});
   meant_for("inside", {cylinder, sphere});
   meant_for("source", {mesh});
