@@ -84,7 +84,9 @@ ItemKey<Injection> amount_item(const std::string& name, Concentration concentrat
 
 Key particles_key() {
   using P = Particles;
-  const auto placed = [](const P& p) { return p.count > 0 || p.fill > 0; };
+  const auto placed = [](const P& p) {
+    return p.count > 0 || p.fill > 0 || p.filling == Filling::dense;
+  };
   std::vector<ItemKey<P>> items{
       text_item("name", &P::name, "", "how other tables call this species"),
       diameter_item(),

@@ -37,12 +37,17 @@ void check_species(const Case& subject, std::size_t index, const Node& given) {
   if (p.source.empty() && !has(item, "diameter")) {
     fail(item.place, "needs a diameter", "diameter = \"5 um\", or a source with diameter_m");
   }
+  const bool dense = p.filling == Filling::dense;
   const int ways = (p.source.empty() ? 0 : 1) + (p.count > 0 ? 1 : 0) + (p.fill > 0 ? 1 : 0);
+  if (dense && p.fill > 0) {
+    fail(place_in(item, "fill"), "has no meaning for a dense filling, which fills its region",
+         "leave it out, or filling = \"loose\"");
+  }
   if (ways > 1) {
     fail(item.place, "says twice which particles there are at the start",
          "one of source, count and fill");
   }
-  if (ways == 0 || !p.source.empty()) {
+  if ((ways == 0 && !dense) || !p.source.empty()) {
     for (const std::string name : {"filling", "region", "velocity"}) {
       if (has(item, name)) {
         fail(place_in(item, name), "has no meaning without count or fill");
@@ -164,7 +169,8 @@ void check_particles(const Case& subject, const Node& given) {
   for (std::size_t i = 0; i < subject.particles.size(); ++i) {
     check_species(subject, i, given);
     const Particles& p = subject.particles[i];
-    if (p.source.empty() && p.count == 0 && p.fill == 0 && !injected(subject, p)) {
+    const bool placed = p.count > 0 || p.fill > 0 || p.filling == Filling::dense;
+    if (p.source.empty() && !placed && !injected(subject, p)) {
       fail(item_node(given, "particles", i).place, "has no particles",
            "give source, count or fill, or an [injection] of this species");
     }

@@ -77,9 +77,12 @@ void SeriesWriter::append(std::span<const Real> values) {
     throw RunError(
         fmt::format("{}: a row of {} values for {} columns", path_, values.size(), columns_));
   }
-  const std::string row = fmt::format("{}\n", fmt::join(values, ","));
-  const auto written = ::write(file_, row.data(), row.size());
-  if (written != static_cast<ssize_t>(row.size())) {
+  append_lines(fmt::format("{}\n", fmt::join(values, ",")));
+}
+
+void SeriesWriter::append_lines(std::string_view lines) {
+  const auto written = ::write(file_, lines.data(), lines.size());
+  if (written != static_cast<ssize_t>(lines.size())) {
     throw RunError(fmt::format("{}: cannot append a row: {}", path_,
                                written < 0 ? reason() : std::string("the disk is full")));
   }

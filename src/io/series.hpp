@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/types.hpp"
@@ -30,6 +31,10 @@ class SeriesWriter {
   /// Appends one row; one value per name, in their order.
   /// @throws RunError  on a wrong count, or when the disk is full
   void append(std::span<const Real> values);
+
+  /// Appends lines as they are, all at once; each ends in a newline and begins with the time.
+  /// @throws RunError  when the disk is full
+  void append_lines(std::string_view lines);
 
   SeriesWriter(SeriesWriter&& other) noexcept;
   SeriesWriter& operator=(SeriesWriter&& other) = delete;

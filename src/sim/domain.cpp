@@ -126,7 +126,8 @@ geom::Kind kind_of(config::GeometryKind kind) {
 geom::Surroundings surroundings(const config::Case& the_case) {
   geom::Surroundings beyond{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    beyond[axis] = the_case.flow.periodic[axis] ? geom::Beyond::periodic : geom::Beyond::mirror;
+    const bool periodic = the_case.flow.periodic[axis] || the_case.box.periodic[axis];
+    beyond[axis] = periodic ? geom::Beyond::periodic : geom::Beyond::mirror;
   }
   if (has_reservoir(the_case)) {
     beyond[flow_axis(the_case.flow)] = geom::Beyond::pore;

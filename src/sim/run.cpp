@@ -1,99 +1,29 @@
 // SPDX-License-Identifier: MPL-2.0
 #include "sim/run.hpp"
 
-#include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <iostream>
 #include <optional>
 
 #include <fmt/format.h>
 
-#include "config/writer.hpp"
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
 #include "core/log.hpp"
 #include "core/memory.hpp"
-#include "core/progress.hpp"
 #include "core/signals.hpp"
-#include "io/agree.hpp"
 #include "sim/domain.hpp"
+#include "sim/dry_run.hpp"
 #include "sim/grains.hpp"
 #include "sim/pictures.hpp"
 #include "sim/plan.hpp"
 #include "sim/probe.hpp"
 #include "sim/results.hpp"
+#include "sim/session.hpp"
 #include "sim/steady_flow.hpp"
 
 namespace porefines::sim {
 namespace {
-
-class Stopwatch {
- public:
-  [[nodiscard]] Real seconds() const {
-    return std::chrono::duration<Real>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-/// Does something on rank 0; its failure is everybody's.
-template <typename Work>
-void on_root(const par::Communicator& comm, const Work& work) {
-  std::string failure;
-  if (comm.is_root()) {
-    try {
-      work();
-    } catch (const std::exception& error) {
-      failure = error.what();
-    }
-  }
-  io::throw_everywhere(comm.handle(), failure);
-}
-
-/// The output folder on rank 0, without the results of an earlier run: a run that stops must not
-/// leave numbers that look like its own.
-Log open_folder(const std::string& folder, const config::Case& the_case,
-                const par::Communicator& comm) {
-  on_root(comm, [&] {
-    make_folder(folder);
-    for (const std::string stale : {"summary.json", "speed.png", "pressure.png"}) {
-      std::filesystem::remove(folder + "/" + stale);
-    }
-    write_file(folder + "/case.toml", config::effective_case(the_case));
-  });
-  std::optional<Log> log;
-  on_root(comm, [&] { log.emplace(folder + "/log.txt", &std::cout); });
-  return log ? std::move(*log) : Log("", nullptr);
-}
-
-void say(Log& log, const par::Communicator& comm, const io::Provenance& provenance,
-         const std::vector<std::string>& plan) {
-  if (comm.is_root()) {
-    log.info("{}", io::describe(provenance));
-    for (const std::string& line : plan) {
-      log.info("{}", line);
-    }
-  }
-}
-
-/// Between two stages: leaves when any rank saw a signal. Collective.
-void stop_if_asked(const par::Communicator& comm) {
-  if (const auto signal = static_cast<int>(comm.max(Real{1} * caught_signal())); signal != 0) {
-    throw Interrupted{signal};
-  }
-}
-
-void write_failure(const std::string& folder, const std::string& reason,
-                   const par::Communicator& comm) {
-  on_root(comm, [&] {
-    Json json;
-    json.set("status", "stopped");
-    json.set("reason", reason);
-    write_file(folder + "/summary.json", json.text());
-  });
-}
 
 void to_case_units(flow::StokesSolver::CellFields& fields, const SteadyFlow& flow) {
   for (auto& component : fields.velocity) {
@@ -209,9 +139,6 @@ void simulate(const config::Case& the_case, const RunOptions& options,
               const par::Communicator& comm, std::optional<Log>& log) {
   const Stopwatch watch;
   const io::Provenance provenance = io::make_provenance(comm.size(), the_case.run.random_seed);
-  if (config::is_dry(the_case)) {
-    throw InputError("[[particles]]: runs without a flow come with the next commits");
-  }
   if (options.restart) {
     throw InputError("a steady run has no checkpoint to restart from: run it without --restart");
   }
@@ -252,6 +179,9 @@ void simulate(const config::Case& the_case, const RunOptions& options,
 
 int run(const config::Case& the_case, const RunOptions& options) {
   const par::Communicator comm;
+  if (config::is_dry(the_case)) {
+    return run_dry(the_case, options, comm);
+  }
   std::optional<Log> log;
   try {
     simulate(the_case, options, comm, log);

@@ -50,7 +50,6 @@ diameter = { mean = "30 um", standard_deviation = "7 um", distribution = "lognor
 [[particles]]
 name = "grit"
 diameter = { diameters = ["10 um", "30 um"], shares = [0.1, 0.9] }
-fill = 0.1
 filling = "dense"
 region = { low = ["0 m", "0 m", "1 mm"], high = ["1 mm", "1 mm", "1.7 mm"] }
 velocity = ["0.1 m/s", "0 m/s", "0.3 m/s"]

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/json.hpp"
+#include "io/provenance.hpp"
+#include "sim/dry_state.hpp"
+
+namespace porefines::sim {
+
+/// How a run came to its end.
+struct Ending {
+  std::string status = "done";  ///< done, interrupted, stopped
+  std::string reason = "";
+  Real wall_time = 0;  ///< [s]
+};
+
+/// summary.json: flat, SI. Collective, the text counts on rank 0.
+[[nodiscard]] Json summarise_dry(const DryRun& run, const Ending& ending,
+                                 const io::Provenance& provenance);
+
+/// particles.png: coloured by speed, seen along y, or along z when the box is thin there.
+/// Collective.
+void draw_dry(const std::string& folder, const DryRun& run, const io::Provenance& provenance);
+
+/// The numbers of the run before it starts, in lines for a person. Collective.
+[[nodiscard]] std::vector<std::string> describe_dry(const DryRun& run,
+                                                    const std::vector<std::string>& remarks);
+
+}  // namespace porefines::sim

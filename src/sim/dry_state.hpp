@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "config/case.hpp"
+#include "dem/injection.hpp"
+#include "dem/system.hpp"
+#include "geom/build.hpp"
+#include "sim/beds.hpp"
+#include "sim/ledger.hpp"
+
+namespace porefines::sim {
+
+/// Energy that came and went with particles [J].
+struct EnergyBook {
+  Real start = 0;
+  Real injected = 0;
+  Real out = 0;
+};
+
+/// What a dry run remembers besides the particles: the same on every rank; with System::save() all
+/// that a checkpoint will need.
+struct DryState {
+  Real time = 0;  ///< [s]
+  Index steps = 0;
+  Real step = 0;  ///< [s] the last one
+  std::uint64_t next_id = 0;
+  std::vector<dem::InletState> inlets;
+  Ledger ledger;
+  EnergyBook energy;
+  Index samples = 0;  ///< rows of series.csv written
+  Index tracked = 0;  ///< samples of tracks.csv written
+};
+
+/// A dry run in progress.
+struct DryRun {
+  const config::Case& the_case;
+  const par::Communicator& comm;
+  dem::System system;
+  std::vector<dem::Inlet> inlets;
+  DryState state;
+};
+
+/// Sets up box, walls and the first particles. Collective.
+/// @throws InputError  anything wrong with them; nothing was run
+[[nodiscard]] DryRun make_dry_run(const config::Case& the_case, const geom::Sample& sample,
+                                  const par::Communicator& comm, std::vector<std::string>& remarks);
+
+/// The sums of the moment. Energy is NaN where there is no balance: a force along a periodic axis
+/// has no potential, moving walls do work.
+struct Moment {
+  dem::Totals totals;
+  Real mean_speed = 0;    ///< [m/s]
+  Vec3 mean;              ///< [m] position
+  Vec3 sigma;             ///< [m] its standard deviation (thesis eq. 19)
+  Real energy = 0;        ///< [J] kinetic + rotational + elastic + potential of gravity and forces
+  Real energy_lost = 0;   ///< [J] to damping and friction since the start
+  Real coordination = 0;  ///< contacts with others per particle
+  Real max_overlap = 0;   ///< of a radius, since the start
+};
+
+/// Collective.
+[[nodiscard]] Moment look(const DryRun& run);
+
+/// [J] potential of the external force on the particles, and NaN where there is none.
+[[nodiscard]] bool has_energy_balance(const config::Case& the_case);
+
+// The sentences of the loop; all collective.
+
+/// What became due in (from, to].
+void inject_due(DryRun& run, Real from, Real to);
+
+/// The next stretch of equal steps, up to the next sample or to when particles may have come a
+/// radius further.
+struct Stretch {
+  Real step = 0;  ///< [s]
+  Index count = 0;
+};
+[[nodiscard]] Stretch choose_stretch(const DryRun& run);
+
+void advance(DryRun& run, const Stretch& stretch);
+
+/// Takes out what crossed an open face.
+/// @return their last rows for tracks.csv, on rank 0
+/// @throws RunError  a particle went through a wall
+[[nodiscard]] std::string take_out(DryRun& run);
+
+/// @throws RunError  overlaps beyond the bound, with the modulus that would do
+void require_healthy(const DryRun& run);
+
+}  // namespace porefines::sim

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MPL-2.0
+// From what a case says about particles to what the DEM needs.
+#pragma once
+
+#include "config/case.hpp"
+#include "dem/injection.hpp"
+#include "dem/sizes.hpp"
+#include "dem/system.hpp"
+#include "geom/build.hpp"
+
+namespace porefines::sim {
+
+[[nodiscard]] dem::Sizes dem_sizes(const config::Sizes& sizes);
+
+/// Species in the order of the case, then walls with friction, then smooth walls.
+[[nodiscard]] dem::MaterialTable make_materials(const config::Case& the_case);
+
+/// The contact law. A linear spring without a given stiffness stores as much energy as Hertz's at
+/// the same overlap, that of an impact of two mean particles at `speed` [m/s]:
+///
+///     k = (16/15) E sqrt(R) (15 m v^2 / (16 E sqrt(R)))^(1/5)
+[[nodiscard]] dem::ContactModel make_contact_model(const config::Case& the_case, Real speed);
+
+/// [m/s] at which particles of this case may meet: what falling through the box gives, or the
+/// fastest start or entry; contact.top_speed when it is given.
+[[nodiscard]] Real expected_speed(const config::Case& the_case, const Vec3& box);
+
+/// Everything but the particles: box, walls and grains, materials, law, gravity.
+/// @throws InputError  grains or walls of a kind that particles cannot touch yet
+[[nodiscard]] dem::Settings make_settings(const config::Case& the_case, const geom::Sample& sample);
+
+/// The injections of the case.
+/// @throws InputError  a window outside the face, or one that lets no particle through
+[[nodiscard]] std::vector<dem::Inlet> make_inlets(const config::Case& the_case,
+                                                  const dem::Box& box);
+
+}  // namespace porefines::sim

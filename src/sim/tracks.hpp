@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MPL-2.0
+// The tables that a run with particles writes.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "config/case.hpp"
+#include "sim/dry_state.hpp"
+
+namespace porefines::sim {
+
+/// Columns of tracks.csv, the same as those of a tracked video.
+[[nodiscard]] std::vector<std::string> track_columns(bool forces);
+
+/// One row per particle, sorted by id, on rank 0; "" elsewhere. Collective.
+[[nodiscard]] std::string track_rows(const DryRun& run);
+
+/// The same for those that leaves(i) names, with the state `out`. Collective.
+[[nodiscard]] std::string out_rows(const DryRun& run,
+                                   const std::function<bool(std::size_t)>& leaves);
+
+/// Columns of series.csv and its row of the moment.
+[[nodiscard]] std::vector<std::string> series_columns();
+[[nodiscard]] std::vector<Real> series_row(const DryRun& run, const Moment& now);
+
+/// [s] from sample to sample: what the case says, or a hundredth of the run.
+[[nodiscard]] Real sample_interval(const config::Case& the_case, config::OutputKind kind);
+
+}  // namespace porefines::sim
