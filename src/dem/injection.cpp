@@ -102,7 +102,7 @@ void find_free(const System& system, const par::Communicator& comm,
     for (const Vec3& place : candidate.place) {
       char open = 0;
       if (settings.blocks.owner(settings.box.wrapped(place)) == comm.rank()) {
-        find_touches(settings.walls, place, candidate.radius, clearance * candidate.radius,
+        find_touches(settings.walls, place, candidate.radius, 0.5 * clearance * candidate.radius,
                      touches);
         open = touches.count == 0 && !touches.inside ? 1 : 0;
       }

@@ -60,7 +60,7 @@ Real sphere_volume(const std::vector<Real>& radius) {
 
 Packing place_loose(const PackingSpace& space, const std::vector<Real>& radius) {
   constexpr Real margin = 1e-4;  // larger while they are pushed apart: then they do not even touch
-  constexpr Index most = 20'000;
+  constexpr Index most = 5000;
   require_room(space, radius);
   std::vector<Real> larger = radius;
   for (Real& r : larger) {
