@@ -45,8 +45,9 @@ TEST(SphereList, may_leave_the_diameter_to_the_case) {
 }
 
 TEST(SphereList, says_what_is_wrong_and_where) {
-  EXPECT_EQ(message("x_m,y_m,z_mm,diameter_m\n"),
-            ":1: unknown column z_mm; did you mean z_m?\nknown: x_m, y_m, z_m, diameter_m, u, v, w");
+  EXPECT_EQ(
+      message("x_m,y_m,z_mm,diameter_m\n"),
+      ":1: unknown column z_mm; did you mean z_m?\nknown: x_m, y_m, z_m, diameter_m, u, v, w");
   EXPECT_EQ(message("x_m,y_m,diameter_m\n1,2,3\n"),
             ":1: there is no column z_m\nthe first line names the columns: x_m,y_m,z_m,diameter_m");
   EXPECT_EQ(message("x_m,y_m,z_m,diameter_m\n1,2,3\n"), ":2: 3 values for 4 columns");
