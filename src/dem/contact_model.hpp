@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MPL-2.0
 #pragma once
 
+#include <type_traits>
 #include <variant>
 
 #include "dem/contact_law.hpp"
@@ -46,7 +47,9 @@ template <typename Use>
 decltype(auto) with_law(const ContactModel& model, const Use& use) {
   return std::visit(
       [&use](const auto& normal, const auto& tangential, const auto& rolling) {
-        return use(ContactLaw{normal, tangential, rolling});
+        using Law = ContactLaw<std::decay_t<decltype(normal)>, std::decay_t<decltype(tangential)>,
+                               std::decay_t<decltype(rolling)>>;
+        return use(Law{normal, tangential, rolling});  // clang 14 cannot deduce aggregates
       },
       model.normal, model.tangential, model.rolling);
 }

@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "core/memory.hpp"
 #include "core/progress.hpp"
+#include "flow/gcr.hpp"
 #include "grid/block.hpp"
 
 namespace porefines::sim {
@@ -87,6 +88,9 @@ Plan make_plan(const config::Case& the_case, const geom::Sample& sample, const D
   plan.active_cells =
       static_cast<Index>(std::llround(probe.active_share * static_cast<Real>(plan.cells)));
   plan.memory = estimate_memory(sample, domain, probe, ranks);
+  const flow::SolveOptions solve;
+  plan.memory_most = plan.memory + direction_bytes * (solve.most_directions - solve.directions) *
+                                       static_cast<Real>(plan.active_cells);
   const Real surface = std::max(probe.specific_surface, 1 / domain.length());
   plan.permeability = std::pow(probe.porosity, 3) / (5 * surface * surface);
   plan.velocity = guess_velocity(the_case, domain, plan.permeability);
@@ -168,8 +172,9 @@ std::vector<std::string> describe(const config::Case& the_case, const geom::Samp
       fmt::format("expected   k about {:.2g} darcy, Darcy velocity {:.2g} m/s, Re {:.1g} "
                   "(guess from porosity and surface)",
                   plan.permeability / darcy, plan.velocity, plan.reynolds));
-  lines.push_back(fmt::format("cost       {} of memory{}",
+  lines.push_back(fmt::format("cost       {} of memory ({} if the solve is a hard one){}",
                               format_bytes(static_cast<std::int64_t>(plan.memory)),
+                              format_bytes(static_cast<std::int64_t>(plan.memory_most)),
                               plan.seconds > 0 ? ", about " + format_duration(plan.seconds) : ""));
   return lines;
 }

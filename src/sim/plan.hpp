@@ -14,6 +14,7 @@ namespace porefines::sim {
 /// What a run will cost and what to expect of it, before it is run.
 struct Plan {
   Real memory = 0;        ///< [bytes] peak of all ranks together
+  Real memory_most = 0;   ///< [bytes] the same where cycles gain little and directions are kept
   Real seconds = 0;       ///< wall time, about; 0: not estimated
   Real permeability = 0;  ///< [m^2] Kozeny's guess
   Real velocity = 0;      ///< [m/s] Darcy velocity that follows
@@ -21,6 +22,9 @@ struct Plan {
   Index cells = 0;
   Index active_cells = 0;  ///< in lines of 16 that hold any fluid
 };
+
+/// Bytes of a search direction per active cell: u, v, w, p of z and of q, in float.
+inline constexpr Real direction_bytes = 2 * 4 * sizeof(float);
 
 /// Peak memory of all ranks together [bytes].
 ///
@@ -32,7 +36,7 @@ struct Plan {
 [[nodiscard]] Real estimate_memory(const geom::Sample& sample, const Domain& domain,
                                    const Probe& probe, int ranks);
 
-/// The whole plan. Permeability by Kozeny, k = porosity^3 / (5 S^2): a guess within a factor of 3.
+/// The whole plan. Permeability by Kozeny, k = porosity^3 / (5 S^2): a guess, within a factor of 6 so far (Berea: 5.8 times too high).
 [[nodiscard]] Plan make_plan(const config::Case& the_case, const geom::Sample& sample,
                              const Domain& domain, const Probe& probe, int ranks);
 

@@ -104,7 +104,8 @@ Json summarise(const config::Case& the_case, const geom::Sample& sample, const D
   json.set("ranks", facts.provenance.ranks);
   json.set("wall_time_s", facts.wall_time);
   json.set("peak_memory_bytes", static_cast<Index>(facts.peak_memory));
-  json.set("planned_memory_bytes", static_cast<Index>(facts.planned_memory));
+  json.set("planned_memory_bytes", static_cast<Index>(facts.plan.memory));
+  json.set("planned_memory_most_bytes", static_cast<Index>(facts.plan.memory_most));
   for (const auto& [name, value] : io::entries(facts.provenance)) {
     if (name != "ranks") {
       json.set(name, value);

@@ -12,6 +12,7 @@
 #include "par/communicator.hpp"
 #include "sim/domain.hpp"
 #include "sim/grains.hpp"
+#include "sim/plan.hpp"
 #include "sim/steady_flow.hpp"
 
 namespace porefines::sim {
@@ -20,9 +21,9 @@ namespace porefines::sim {
 struct RunFacts {
   Porosity porosity;
   Index fluid_cells = 0;
-  Real wall_time = 0;       ///< [s]
-  Real peak_memory = 0;     ///< [bytes] all ranks together
-  Real planned_memory = 0;  ///< [bytes] what the plan said
+  Real wall_time = 0;    ///< [s]
+  Real peak_memory = 0;  ///< [bytes] all ranks together
+  Plan plan;
   io::Provenance provenance;
 };
 

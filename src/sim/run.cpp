@@ -163,7 +163,7 @@ void simulate(const config::Case& the_case, const RunOptions& options,
   facts.porosity = measure_porosity(prepared.sample, domain, solver.block(), solid, comm);
   facts.fluid_cells = solver.fluid_cells();
   facts.peak_memory = comm.sum(static_cast<Real>(peak_memory()));
-  facts.planned_memory = prepared.plan.memory;
+  facts.plan = prepared.plan;
   facts.wall_time = watch.seconds();
   facts.provenance = provenance;
   stop_if_asked(comm);

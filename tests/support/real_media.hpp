@@ -24,8 +24,8 @@ struct RealMedium {
   std::string image;  ///< below shared/data/images
   std::vector<std::string> keys;
   Real porosity;            ///< of the voxels
-  Real connected;           ///< of the voxels, after what the keys open
-  Real permeability;        ///< [m^2] smooth surface
+  Real connected;           ///< of the voxels, after what the keys open; 0: not recorded yet
+  Real permeability;        ///< [m^2] smooth surface; 0: not recorded yet
   Real voxel_permeability;  ///< [m^2] on the staircase; 0: not compared
   int cycles;
 };
@@ -56,10 +56,17 @@ inline std::string summary_of(const RealMedium& medium, const std::string& folde
 /// Porosity and percolation exactly, work at most what it was, flux the same everywhere.
 inline void expect_as_recorded(const RealMedium& medium, const std::string& summary) {
   EXPECT_NEAR(number(summary, "porosity"), medium.porosity, 5e-5);
-  EXPECT_NEAR(number(summary, "porosity_connected"), medium.connected, 5e-5);
+  if (medium.connected > 0) {
+    EXPECT_NEAR(number(summary, "porosity_connected"), medium.connected, 5e-5);
+  }
   EXPECT_LE(number(summary, "solver_cycles"), medium.cycles + 1) << "rounding may cost one";
   EXPECT_LT(number(summary, "flux_variation"), 1e-6);
-  EXPECT_NEAR(number(summary, "permeability_m2") / medium.permeability, 1, 0.005);
+  const Real peak = number(summary, "peak_memory_bytes");
+  EXPECT_GT(peak, 0.85 * number(summary, "planned_memory_bytes"));
+  EXPECT_LT(peak, 1.15 * number(summary, "planned_memory_most_bytes"));
+  if (medium.permeability > 0) {
+    EXPECT_NEAR(number(summary, "permeability_m2") / medium.permeability, 1, 0.005);
+  }
 }
 
 }  // namespace porefines::test
