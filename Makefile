@@ -1,11 +1,12 @@
 # The newcomer's commands. Each does all the set-up that it needs.
 #   make demo    install what is missing, build, run the bundled case from image to permeability
 #   make check   install what is missing, build, run tests and fuzzers (this is what CI runs)
+#   make install install the program below PREFIX (/usr/local)
 #   make bench   speed: kernels against the memory bandwidth of this machine
 BUILD := build/release
 export CCACHE_BASEDIR := $(CURDIR)
 
-.PHONY: all setup build demo check bench compare-openfoam validate lint format fuzz clean
+.PHONY: all setup build install demo check bench compare-openfoam validate lint format fuzz clean
 
 all: build
 
@@ -16,6 +17,10 @@ build: setup
 	@cmake --preset release -Wno-dev > build-configure.log 2>&1 || { cat build-configure.log; exit 1; }
 	@rm -f build-configure.log
 	@cmake --build --preset release
+
+PREFIX ?= /usr/local
+install: build
+	@cmake --install $(BUILD) --prefix $(PREFIX)
 
 demo: build
 	@tools/demo.sh
