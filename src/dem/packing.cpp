@@ -14,14 +14,27 @@
 namespace porefines::dem {
 namespace {
 
+bool touches_wall(const PackingSpace& space, const Vec3& x, Real radius) {
+  TouchList touches;
+  if (space.surfaces != nullptr) {
+    find_touches(*space.surfaces, x, radius, 0, touches);
+  }
+  return touches.count > 0 || touches.inside;
+}
+
+/// Uniform over the space, outside of walls and grains: deep inside rock nothing would push a
+/// sphere out again. Where a sphere finds no free place in 500 tries it stays at the last.
 std::vector<Vec3> random_points(const PackingSpace& space, const std::vector<Real>& radius) {
+  constexpr int tries = 500;
   std::vector<Vec3> points;
   for (std::size_t i = 0; i < radius.size(); ++i) {
     Draws draws(space.seed, Stream::packing, i);
     Vec3 x;
-    for (int axis = 0; axis < 3; ++axis) {
-      const Real wall = space.periodic[axis] ? 0 : radius[i];
-      x[axis] = draws.uniform(space.low[axis] + wall, space.high[axis] - wall);
+    for (int t = 0; t == 0 || (t < tries && touches_wall(space, x, radius[i])); ++t) {
+      for (int axis = 0; axis < 3; ++axis) {
+        const Real wall = space.periodic[axis] ? 0 : radius[i];
+        x[axis] = draws.uniform(space.low[axis] + wall, space.high[axis] - wall);
+      }
     }
     points.push_back(x);
   }

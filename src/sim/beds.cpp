@@ -63,90 +63,123 @@ std::vector<Real> draw_radii(const config::Particles& species, std::size_t index
   }
 }
 
-void require_near_size(const config::Particles& species, const dem::Packing& packing,
+/// Species that are placed at random in the same region, in one go: they must not overlap.
+struct Group {
+  std::vector<std::size_t> species;  ///< places in the case
+};
+
+bool is_placed(const config::Particles& species) {
+  return species.count > 0 || species.fill > 0 || species.filling == config::Filling::dense;
+}
+
+std::vector<Group> groups_of(const config::Case& the_case) {
+  std::vector<Group> groups;
+  const auto& all = the_case.particles;
+  for (std::size_t s = 0; s < all.size(); ++s) {
+    const auto same = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
+      const config::Particles& first = all[group.species.front()];
+      return first.region == all[s].region && first.filling == all[s].filling;
+    });
+    if (!is_placed(all[s])) {
+      continue;
+    }
+    (same == groups.end() ? groups.emplace_back() : *same).species.push_back(s);
+  }
+  return groups;
+}
+
+/// Radii of all of a group, those of one species after the other; `count` says how many of each.
+std::vector<Real> draw_group(const config::Case& the_case, const Group& group, Real volume,
+                             std::vector<std::size_t>& count) {
+  std::vector<Real> radius;
+  for (const std::size_t s : group.species) {
+    const config::Particles& species = the_case.particles[s];
+    const bool dense = species.filling == config::Filling::dense;
+    const Real left =
+        dense ? dem::close_packing * volume - dem::sphere_volume(radius) : species.fill * volume;
+    const std::vector<Real> drawn = draw_radii(species, s, the_case.run.random_seed, left);
+    if (drawn.empty()) {
+      throw InputError(
+          fmt::format("[[particles]] {}: there is no room for a single particle", species.name));
+    }
+    count.push_back(drawn.size());
+    radius.insert(radius.end(), drawn.begin(), drawn.end());
+  }
+  return radius;
+}
+
+void require_near_size(const std::string& name, const dem::Packing& packing,
                        const dem::PackingSpace& space) {
   constexpr Real most = 0.1;
   if (std::abs(packing.scale - 1) > most) {
-    throw InputError(
-        fmt::format("[[particles]] {}: {} of them packed densely take {:.3g} of the region's "
-                    "volume, {:.3g} m^3\n"
-                    "leave out count and the region is filled, or change one of the two",
-                    species.name, packing.radius.size(),
-                    1 / (packing.scale * packing.scale * packing.scale), space.volume()));
+    throw InputError(fmt::format(
+        "[[particles]] {}: {} of them packed densely take {:.3g} times their region, {:.3g} m^3\n"
+        "leave out count and the region is filled, or change one of the two",
+        name, packing.radius.size(), std::pow(packing.scale, -3), space.volume()));
   }
 }
 
-dem::Packing place_species(const config::Particles& species, std::size_t index,
-                           const config::Case& the_case, const dem::Settings& settings) {
-  const dem::PackingSpace space = space_of(species, index, the_case, settings);
-  const bool dense = species.filling == config::Filling::dense;
-  const Real share = dense ? dem::close_packing : species.fill;
-  const std::vector<Real> radius =
-      draw_radii(species, index, the_case.run.random_seed, share * space.volume());
-  if (radius.empty()) {
-    throw InputError(fmt::format("[[particles]] {}: fill = {:.3g} is less than one particle",
-                                 species.name, species.fill));
-  }
-  if (!dense) {
-    return dem::place_loose(space, radius);
-  }
-  dem::Packing packing = dem::pack_dense(space, radius);
-  require_near_size(species, packing, space);
-  return packing;
-}
-
-std::vector<dem::Body> bodies_of(const config::Particles& species, std::size_t index,
-                                 const config::Case& the_case, const dem::Settings& settings,
-                                 Bed& bed) {
-  if (!species.source.empty()) {
-    return read_spheres(species.source, species.diameter.mean);
-  }
-  const bool placed =
-      species.count > 0 || species.fill > 0 || species.filling == config::Filling::dense;
-  if (!placed) {
-    return {};
-  }
-  const dem::Packing packing = place_species(species, index, the_case, settings);
-  if (packing.scale != 1) {
+/// The particles of a group, appended to those of their species.
+void place_group(const config::Case& the_case, const dem::Settings& settings, const Group& group,
+                 std::vector<std::vector<dem::Body>>& bodies, Bed& bed) {
+  const std::size_t first = group.species.front();
+  const config::Particles& leader = the_case.particles[first];
+  const dem::PackingSpace space = space_of(leader, first, the_case, settings);
+  std::vector<std::size_t> count;
+  const std::vector<Real> radius = draw_group(the_case, group, space.volume(), count);
+  const bool dense = leader.filling == config::Filling::dense;
+  const dem::Packing packing =
+      dense ? dem::pack_dense(space, radius) : dem::place_loose(space, radius);
+  if (dense) {
+    require_near_size(leader.name, packing, space);
     bed.remarks.push_back(
-        fmt::format("{}: {} packed densely, diameters x {:.4f}, mean overlap {:.2g} d",
-                    species.name, packing.radius.size(), packing.scale, packing.mean_overlap));
+        fmt::format("{}: {} packed densely, diameters x {:.4f}, mean overlap {:.2g} d", leader.name,
+                    radius.size(), packing.scale, packing.mean_overlap));
   }
-  std::vector<dem::Body> bodies;
-  for (std::size_t k = 0; k < packing.position.size(); ++k) {
-    dem::Body body;
-    body.position = settings.box.wrapped(packing.position[k]);
-    body.velocity = {species.velocity[0], species.velocity[1], species.velocity[2]};
-    body.radius = packing.radius[k];
-    bodies.push_back(body);
+  std::size_t k = 0;
+  for (std::size_t g = 0; g < group.species.size(); ++g) {
+    const config::Triple& v = the_case.particles[group.species[g]].velocity;
+    for (const std::size_t end = k + count[g]; k < end; ++k) {
+      dem::Body body;
+      body.position = settings.box.wrapped(packing.position[k]);
+      body.velocity = {v[0], v[1], v[2]};
+      body.radius = packing.radius[k];
+      bodies[group.species[g]].push_back(body);
+    }
   }
-  return bodies;
+}
+
+void require_inside(const dem::Body& body, const dem::Box& box, const std::string& name) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const Real x = body.position[axis];
+    if (!box.periodic[axis] && (x < box.low[axis] || x > box.high[axis])) {
+      throw InputError(fmt::format(
+          "[[particles]] {}: particle {} at {} is outside the box, {:.6g} m to {:.6g} m along {}",
+          name, body.id, place(body.position), box.low[axis], box.high[axis], "xyz"[axis]));
+    }
+  }
 }
 
 }  // namespace
 
 Bed make_bed(const config::Case& the_case, const dem::Settings& settings) {
   Bed bed;
-  for (std::size_t s = 0; s < the_case.particles.size(); ++s) {
+  std::vector<std::vector<dem::Body>> bodies(the_case.particles.size());
+  for (const Group& group : groups_of(the_case)) {
+    place_group(the_case, settings, group, bodies, bed);
+  }
+  for (std::size_t s = 0; s < bodies.size(); ++s) {
     const config::Particles& species = the_case.particles[s];
-    for (dem::Body body : bodies_of(species, s, the_case, settings, bed)) {
+    if (!species.source.empty()) {
+      bodies[s] = read_spheres(species.source, species.diameter.mean);
+    }
+    for (dem::Body& body : bodies[s]) {
       body.id = bed.bodies.size();
       body.density = species.density;
       body.species = static_cast<std::uint16_t>(s);
       body.flags = species.fixed ? dem::flag::fixed : 0;
-      for (int axis = 0; axis < 3; ++axis) {
-        const Real x = body.position[axis];
-        if (!settings.box.periodic[axis] &&
-            (x < settings.box.low[axis] || x > settings.box.high[axis])) {
-          throw InputError(
-              fmt::format("[[particles]] {}: particle {} at {} is outside the box, {:.6g} m to "
-                          "{:.6g} m along {}",
-                          species.name, body.id, place(body.position), settings.box.low[axis],
-                          settings.box.high[axis], "xyz"[axis]));
-        }
-      }
+      require_inside(body, settings.box, species.name);
       bed.bodies.push_back(body);
-      bed.force.push_back({species.force[0], species.force[1], species.force[2]});
     }
   }
   return bed;

@@ -13,11 +13,11 @@ namespace porefines::sim {
 /// The particles that a case starts with, and what there is to tell about them.
 struct Bed {
   std::vector<dem::Body> bodies;     ///< ids from 0, in the order of the case
-  std::vector<Vec3> force;           ///< [N] external, of each
   std::vector<std::string> remarks;  ///< "sand: 500 packed, diameters scaled by 0.998"
 };
 
-/// Reads lists and makes packings. The same on every rank; no communication.
+/// Reads lists and makes packings; species that share a region and a filling are placed together.
+/// The same on every rank; no communication.
 /// @throws InputError  a list that cannot be read (file, line, column), particles outside the box, a
 ///                     region that is not in the box, more than fit
 /// Tests: unit/beds.

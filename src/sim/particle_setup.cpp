@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "sim/particle_walls.hpp"
 
 namespace porefines::sim {
 namespace {
@@ -18,49 +19,6 @@ Vec3 vec(const config::Triple& t) {
 
 Real mean_mass(const config::Particles& species) {
   return species.density * dem::mean_volume(dem_sizes(species.diameter));
-}
-
-/// Planes, cylinders and balls of [[surface]].
-dem::Primitives primitives_of(const config::Case& the_case) {
-  dem::Primitives walls;
-  for (const config::Shape& shape : the_case.surface) {
-    const dem::Motion motion{vec(shape.velocity), {}, vec(shape.point)};
-    switch (shape.kind) {
-      case config::ShapeKind::plane:
-        walls.emplace_back(dem::Plane{vec(shape.point), vec(shape.normal), motion});
-        break;
-      case config::ShapeKind::cylinder:
-        walls.emplace_back(
-            dem::Cylinder{vec(shape.point), vec(shape.axis), shape.radius, shape.inside, motion});
-        break;
-      case config::ShapeKind::sphere:
-        walls.emplace_back(dem::Ball{vec(shape.point), shape.radius, shape.inside, motion});
-        break;
-      case config::ShapeKind::mesh:
-        throw InputError(
-            "[[surface]] kind = \"mesh\": particles cannot touch meshes yet\n"
-            "build the wall of planes, cylinders and spheres");
-    }
-  }
-  return dem::checked(std::move(walls));
-}
-
-/// Grains of the geometry as bodies.
-dem::Primitives grains_of(const geom::Sample& sample) {
-  dem::Primitives grains;
-  if (sample.spec.kind == geom::Kind::image) {
-    throw InputError(
-        "[geometry] kind = \"image\": dry particles cannot touch an image's grains yet\n"
-        "use spheres, cylinders, or walls as [[surface]]");
-  }
-  for (const geom::Body& body : sample.bodies) {
-    if (sample.spec.kind == geom::Kind::spheres) {
-      grains.emplace_back(dem::Ball{body.centre, body.radius, false, {}});
-    } else {
-      grains.emplace_back(dem::Cylinder{body.centre, {0, 0, 1}, body.radius, false, {}});
-    }
-  }
-  return grains;
 }
 
 void require_window(const config::Injection& injection, const dem::Inlet& inlet,
@@ -194,21 +152,12 @@ dem::Settings make_settings(const config::Case& the_case, const geom::Sample& sa
   settings.materials = make_materials(the_case);
   settings.model = make_contact_model(the_case, expected_speed(the_case, sample.box.size));
   settings.gravity = vec(the_case.gravity);
-  const auto wall = static_cast<std::uint16_t>(the_case.particles.size());
-  std::array<bool, 6> rough{};
-  for (std::size_t face = 0; face < 6; ++face) {
-    rough[face] = !faces.periodic[face / 2] && !faces.open[face] && !faces.smooth[face];
+  const Walls walls = make_walls(the_case, sample);
+  settings.walls = walls.surfaces;
+  for (const bool smooth : walls.smooth) {
+    settings.wall_species.push_back(
+        static_cast<std::uint16_t>(the_case.particles.size() + (smooth ? 1 : 0)));
   }
-  const auto add = [&](dem::Primitives walls, std::uint16_t species) {
-    if (!walls.empty()) {
-      settings.walls.emplace_back(std::move(walls));
-      settings.wall_species.push_back(species);
-    }
-  };
-  add(dem::box_faces({}, sample.box.size, rough), wall);
-  add(dem::box_faces({}, sample.box.size, faces.smooth), wall + 1);
-  add(primitives_of(the_case), wall);
-  add(grains_of(sample), wall);
   return settings;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MPL-2.0
 // The bundled cases of particles without a fluid, made small, at the shell, on one and two ranks.
+#include <csignal>
 #include <filesystem>
 #include <sstream>
 
@@ -187,6 +188,91 @@ TEST(DryRun, a_dry_run_tells_the_numbers_and_moves_nothing) {
     EXPECT_NE(result.output.find(word), std::string::npos) << word << " in\n" << result.output;
   }
   EXPECT_FALSE(std::filesystem::exists(folder / "out/summary.json"));
+}
+
+TEST(DryRun, elastic_impacts_keep_their_energy) {
+  const test::Scratch folder;
+  write_file(folder / "case.toml", R"(gravity = "9.81 m/s^2"
+[run]
+end_time = "50 ms"
+[geometry]
+kind = "empty"
+size = ["2 mm", "2 mm", "2 mm"]
+[[particles]]
+name = "large"
+diameter = "0.3 mm"
+young = "2 MPa"
+count = 20
+[[particles]]
+name = "small"
+diameter = "0.2 mm"
+young = "2 MPa"
+count = 20
+[contact]
+restitution = 1
+friction = 0
+max_overlap = 0.1
+)");
+  const auto result = test::porefines_in(folder.path(), {"run", "case.toml"});
+  ASSERT_EQ(result.exit_code, 0) << result.output;
+  const Csv series = read_csv(folder / "out/series.csv");
+  const std::size_t last = series.rows.size() - 1;
+  EXPECT_GT(series.at(last, "kinetic_j"), 0.1 * series.at(0, "energy_j")) << "they still bounce";
+  // Velocity Verlet at 1/30 of a contact: 1e-4 of the energy in all these impacts together.
+  EXPECT_NEAR(series.at(last, "energy_lost_j"), 0, 1e-3 * series.at(0, "energy_j"));
+}
+
+TEST(DryRun, grains_of_an_image_hold_particles) {
+  const test::Scratch folder;
+  ASSERT_EQ(test::porefines_in(folder.path(), {"generate", "micromodel", "--size", "0.2 mm",
+                                               "0.2 mm", "--pixel-size", "2 um", "--grain", "60 um",
+                                               "--porosity", "0.6", "-o", "chip.png"})
+                .exit_code,
+            0);
+  write_file(folder / "case.toml", R"(gravity = ["0", "-9.81 m/s^2", "0"]
+[run]
+end_time = "0.5 ms"
+[geometry]
+source = "chip.png"
+pixel_size = "2 um"
+depth = "20 um"
+keep = "all"
+[[particles]]
+diameter = "8 um"
+young = "0.1 MPa"
+count = 60
+)");
+  const auto result = test::porefines_in(folder.path(), {"run", "case.toml"});
+  ASSERT_EQ(result.exit_code, 0) << result.output;
+  const std::string summary = read_text(folder / "out/summary.json");
+  EXPECT_EQ(number(summary, "particles_inside"), 60);
+  EXPECT_LT(number(summary, "max_overlap"), 0.01);
+}
+
+TEST(DryRun, a_limit_on_wall_time_ends_it_with_its_results) {
+  const test::Scratch folder;
+  write_file(folder / "case.toml", injected_case);
+  const auto result = test::porefines_in(
+      folder.path(), {"run", "case.toml", "run.max_wall=1e-6 s", "run.end_time=1 h"});
+  EXPECT_EQ(result.exit_code, 3) << result.output;
+  EXPECT_NE(result.output.find("run.max_wall is over at "), std::string::npos) << result.output;
+  EXPECT_NE(read_text(folder / "out/summary.json").find("max_wall"), std::string::npos);
+}
+
+TEST(DryRun, a_signal_ends_it_with_its_results) {
+  const test::Scratch folder;
+  write_file(folder / "case.toml", injected_case);
+  test::Background run(
+      folder.path(), {PF_BINARY, "run", "case.toml", "run.end_time=1 day", "injection.stop=1 day"});
+  ASSERT_TRUE(run.wait_for("of memory")) << run.end().output;
+  run.send(SIGTERM);
+  const auto result = run.end();
+  EXPECT_EQ(result.exit_code, 128 + SIGTERM) << result.output;
+  EXPECT_NE(result.output.find("results are those so far"), std::string::npos) << result.output;
+  const std::string summary = read_text(folder / "out/summary.json");
+  EXPECT_NE(summary.find("\"status\": \"interrupted\""), std::string::npos) << summary;
+  EXPECT_EQ(number(summary, "particles_injected"),
+            number(summary, "particles_inside") + number(summary, "particles_out"));
 }
 
 TEST(DryRun, keeps_its_results_when_it_must_stop) {

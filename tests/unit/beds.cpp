@@ -61,6 +61,52 @@ TEST(SphereList, says_what_is_wrong_and_where) {
   EXPECT_EQ(message("x_m,y_m,z_m,diameter_m\n"), ": holds no particles");
 }
 
+TEST(Bed, species_of_one_region_are_placed_together) {
+  config::Case the_case;
+  for (const auto& [name, diameter] : {std::pair{"a", 0.1}, {"b", 0.15}, {"c", 0.05}}) {
+    config::Particles p;
+    p.name = name;
+    p.diameter.mean = diameter;
+    p.count = 60;
+    the_case.particles.push_back(p);
+  }
+  dem::Settings settings;
+  settings.box = {{}, {1, 1, 1}, {true, false, false}};
+  const Bed bed = make_bed(the_case, settings);
+  ASSERT_EQ(bed.bodies.size(), 180U);
+  for (std::size_t i = 0; i < 180; ++i) {
+    const dem::Body& a = bed.bodies[i];
+    EXPECT_EQ(a.id, i);
+    EXPECT_EQ(a.species, i / 60);
+    EXPECT_EQ(a.radius, the_case.particles[i / 60].diameter.mean / 2);
+    for (std::size_t j = 0; j < i; ++j) {
+      Vec3 d = a.position - bed.bodies[j].position;
+      d.x -= std::round(d.x);
+      EXPECT_GE(norm(d), a.radius + bed.bodies[j].radius);
+    }
+  }
+}
+
+TEST(Bed, fill_is_a_share_of_the_region) {
+  config::Case the_case;
+  config::Particles p;
+  p.diameter.mean = 0.08;
+  p.fill = 0.2;
+  p.region = config::Region{{0.2, 0, 0}, {0.7, 1, 1}};
+  the_case.particles.push_back(p);
+  dem::Settings settings;
+  settings.box = {{}, {1, 1, 1}, {}};
+  const Bed bed = make_bed(the_case, settings);
+  const Real one = 4.0 / 3 * std::acos(-1.0) * std::pow(0.04, 3);
+  EXPECT_NEAR(static_cast<Real>(bed.bodies.size()) * one, 0.2 * 0.5, one / 2);
+  for (const dem::Body& body : bed.bodies) {
+    EXPECT_GE(body.position.x, 0.24 - 1e-12);
+    EXPECT_LE(body.position.x, 0.66 + 1e-12);
+  }
+  the_case.particles[0].region->high[0] = 1.2;
+  EXPECT_THROW((void)make_bed(the_case, settings), InputError);
+}
+
 TEST(Ledger, stops_the_run_when_a_particle_is_lost_or_found) {
   const Ledger ledger{10, 5, 3};
   EXPECT_NO_THROW(ledger.require_balance(12, 1));

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <vector>
+
+#include "config/case.hpp"
+#include "dem/surface.hpp"
+#include "geom/build.hpp"
+
+namespace porefines::sim {
+
+/// What particles of a case bump into.
+struct Walls {
+  dem::Surfaces surfaces;
+  std::vector<bool> smooth;  ///< for each: no friction
+};
+
+/// Faces of the box, [[surface]] and the grains of the geometry, whole on every rank.
+///
+/// Grains of an image are the smooth surface of its signed distance; the flow sees the same.
+/// @throws InputError  walls of a kind that particles cannot touch yet
+[[nodiscard]] Walls make_walls(const config::Case& the_case, const geom::Sample& sample);
+
+/// [m] radius of the largest particle that the case may hold.
+[[nodiscard]] Real largest_radius(const config::Case& the_case);
+
+}  // namespace porefines::sim
