@@ -186,10 +186,12 @@ Stretch choose_stretch(const DryRun& run) {
   const Real slowest = std::sqrt(2 * scales.acceleration * scales.radius);
   const Real impact = std::max({2 * speed, slowest, 1e-9});
   const Real duration = run.system.contact_duration(impact);
-  Real longest = std::min(duration / run.the_case.contact.steps_per_contact, left);
+  const Real way = scales.radius / impact;  // in which the fastest goes half a radius
+  const Real longest =
+      std::min({duration / run.the_case.contact.steps_per_contact, way / 10, left});
   Real stretch = std::min(left, static_cast<Real>(longest_stretch) * longest);
   if (!run.inlets.empty()) {
-    stretch = std::min(stretch, std::max(scales.radius / std::max(speed, 1e-30), longest));
+    stretch = std::min(stretch, way);  // or what enters would be late by more than its radius
   }
   const auto count = std::max<Index>(1, static_cast<Index>(std::ceil(stretch / longest - 1e-9)));
   return {stretch / static_cast<Real>(count), count};
