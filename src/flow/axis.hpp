@@ -47,8 +47,7 @@ AxisCoefficients make_axis(const grid::Block& block, int axis, const std::vector
 /// the *fine* block: coarse index I here means fine start / 2 + I.
 ///   cells: coarse value = sum over children of (w_f/w_C) fine; fine value = coarse value.
 ///   faces along their normal: even fine faces coincide with coarse face I; odd ones lie between
-///   coarse faces I and I+1 with weights 1/2. Restriction is the transpose times d_f/d_C. Where one
-///   of the two coarse faces is closed, Level::carry doubles the other's share.
+///   coarse faces I and I+1 with weights 1/2. Restriction is the transpose times d_f/d_C.
 struct AxisTransfer {
   bool coarsened = false;          ///< false: the axis has one cell on both levels
   std::vector<float> cell_first;   ///< per coarse cell: weight of child 2I

@@ -128,7 +128,7 @@ void Hierarchy::build() {
   solve_mobility();
   while (add_coarse_level()) {
   }
-  for (Level& level : levels_) {  // carry and inverse_mobility are what the cycle needs
+  for (Level& level : levels_) {  // carry is what the cycle needs
     for (Floats& field : level.mobility) {
       field = {};
     }
@@ -182,7 +182,7 @@ bool Hierarchy::add_coarse_level() {
   transfers_.emplace_back(comm_, fine, coarse, boundaries_);
   transfers_.back().restrict_mobility(fine, coarse);
   homogenise(coarse);
-  transfers_.back().link_levels(fine, coarse);
+  transfers_.back().share_flux(fine);
   return true;
 }
 
@@ -225,9 +225,7 @@ void visit(Hierarchy& hierarchy, int l, bool from_zero) {
   find_residual(level);
   hierarchy.transfer(l).restrict_residual(level, hierarchy.level(l + 1));
   visit(hierarchy, l + 1, true);
-  if (l >= 1) {
-    visit(hierarchy, l + 1, false);
-  }
+  visit(hierarchy, l + 1, false);
   hierarchy.transfer(l).prolong(hierarchy.level(l + 1), level);
   smooth(level, sweeps_per_side, true, false);
 }

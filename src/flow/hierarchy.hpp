@@ -49,7 +49,7 @@ class Hierarchy {
 /// One multigrid cycle for the system whose right-hand side is in f and g of the finest level (owned
 /// values suffice); leaves the correction in u and p, starting from zero.
 ///
-/// W cycle with two sweeps before and after: levels from the third on are visited twice.
+/// W cycle with two sweeps before and after: every coarse level is visited twice.
 void cycle(Hierarchy& hierarchy);
 
 }  // namespace porefines::flow

@@ -23,15 +23,14 @@ Level::Level(const par::Communicator& comm, const par::Decomposition& cut,
   for (Floats* field : {&push, &p, &g, &rg}) {
     field->assign(block.size, 0.0F);
   }
-  for (Floats& field : finest ? weight : inverse_mobility) {
-    field.assign(block.size, 0.0F);
+  for (Floats& field : weight) {
+    field.assign(finest ? block.size : 0, 0.0F);
   }
 }
 
 std::size_t Level::bytes() const {
   std::size_t values = push.size() + p.size() + g.size() + rg.size();
-  for (const Floats3* fields :
-       {&inverse_diagonal, &weight, &mobility, &inverse_mobility, &carry, &u, &f, &r}) {
+  for (const Floats3* fields : {&inverse_diagonal, &weight, &mobility, &carry, &u, &f, &r}) {
     for (const Floats& field : *fields) {
       values += field.size();
     }

@@ -44,17 +44,15 @@ struct Level {
   Floats3 inverse_diagonal;  ///< 1/d, 0 at inactive faces
   Floats3 weight;            ///< W, finest level only
   Floats3 mobility;          ///< M of A M = W; makes the coarse levels, then is released
-  Floats3 inverse_mobility;  ///< 1/M, 0 at inactive faces; coarse levels only
-  Floats3 carry;  ///< how velocity follows the coarse level: M, or 2 M where just one of the
-                  ///< two coarse faces next to an odd face is open
-  Floats push;    ///< 1 / sum(W^2 grad div / d) over the faces of a cell; 0 if inactive
+  Floats3 carry;             ///< share of a face in the flux of a coarse one (Transfer)
+  Floats push;               ///< 1 / sum(W^2 grad div / d) over the faces of a cell; 0 if inactive
   ActiveLines lines;
 
   Floats3 u;  ///< velocity (correction)
   Floats p;   ///< pressure (correction)
   Floats3 f;  ///< momentum right-hand side
   Floats g;   ///< continuity right-hand side
-  Floats3 r;  ///< mobility times momentum residual, on its way to the coarse level
+  Floats3 r;  ///< carry times momentum residual, on its way to the coarse level
   Floats rg;  ///< continuity residual
 
   Level(const par::Communicator& comm, const par::Decomposition& cut,
@@ -62,6 +60,11 @@ struct Level {
         bool finest);
 
   [[nodiscard]] bool weighted() const { return !weight[0].empty(); }
+  /// W M at a face.
+  [[nodiscard]] Real weighted_mobility(int component, std::ptrdiff_t face) const {
+    const Real m = mobility[component][face];
+    return weighted() ? m * weight[component][face] : m;
+  }
   [[nodiscard]] std::size_t bytes() const;
 
   /// Exchanges ghosts of u and p.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flow/bridges.hpp"
+
 namespace porefines::flow {
 
 StokesSolver::StokesSolver(const par::Communicator& comm, const par::Decomposition& cut,
@@ -27,6 +29,8 @@ void StokesSolver::set_voxels(const IsPore& is_pore) {
 void StokesSolver::finish_setup(Friction friction) {
   friction_ = std::make_unique<Friction>(std::move(friction));
   prune_dead_ends(comm_, hierarchy_.finest(), *friction_);
+  close_bridges(hierarchy_.finest(), boundaries_, *friction_);
+  prune_dead_ends(comm_, hierarchy_.finest(), *friction_);  // ghosts; what was left of pockets
   finish_level(hierarchy_.finest());
   hierarchy_.build();
   operator_ = std::make_unique<Operator>(hierarchy_.finest(), *friction_);

@@ -2,8 +2,8 @@
 #include "flow/transfer.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
+
+#include "flow/coarse_mobility.hpp"
 
 namespace porefines::flow {
 
@@ -75,20 +75,6 @@ void combine(const grid::Block& b, const Floats& field, const Sources& rows, con
   }
 }
 
-/// Geometric mean of the arithmetic and the harmonic mean of the middle and the outer planes of a
-/// control volume, given their shares of the arithmetic mean and the weight of the middle.
-/// Closed in the middle: 0, for such a face would lead into cells that are all grain. Closed, or
-/// absent, on both outer sides: the middle alone resists.
-float mean_along(float middle, float outer, float weight) {
-  if (middle <= 0) {
-    return 0;
-  }
-  const float rest = 1 - weight;
-  const float resistance = weight * weight / middle + (outer > 0 ? rest * rest / outer : 0);
-  const float harmonic = outer > 0 ? 1 / resistance : middle / weight;
-  return std::sqrt((middle + outer) * harmonic);
-}
-
 }  // namespace
 
 Transfer::Transfer(const par::Communicator& comm, const Level& fine, const Level& coarse,
@@ -113,30 +99,18 @@ Transfer::Transfer(const par::Communicator& comm, const Level& fine, const Level
 }
 
 void Transfer::restrict_faces(int component, const Floats& fine_field, const Level& fine,
-                              Floats& out, const Level& coarse, Planes wanted) const {
+                              Floats& out, const Level& coarse) const {
   const grid::Block& f = fine.block;
-  AxisTransfer chosen = axis_[component];
-  const auto leave_out = [&](Planes plane, std::vector<float>& weights) {
-    if (wanted != Planes::all && wanted != plane) {
-      std::fill(weights.begin(), weights.end(), 0.0F);
-    }
-  };
-  leave_out(Planes::before, chosen.face_before);
-  leave_out(Planes::middle, chosen.face_middle);
-  leave_out(Planes::after, chosen.face_after);
-  const auto axis = [&](int a) -> const AxisTransfer& {
-    return a == component ? chosen : axis_[a];
-  };
   std::vector<float> buffer(static_cast<std::size_t>(f.n[0]) + 4, 0.0F);
   float* row = buffer.data() + 1;
   const int count = coarse_count(f, 0, component == 0);
   for (int K = 0; K < coarse_count(f, 2, component == 2); ++K) {
-    const Sources planes = restriction_sources(axis(2), K, component == 2, f.n[2]);
+    const Sources planes = restriction_sources(axis_[2], K, component == 2, f.n[2]);
     for (int J = 0; J < coarse_count(f, 1, component == 1); ++J) {
-      const Sources rows = restriction_sources(axis(1), J, component == 1, f.n[1]);
+      const Sources rows = restriction_sources(axis_[1], J, component == 1, f.n[1]);
       combine(f, fine_field, rows, planes, {0, 0, 0}, -1, f.n[0] + 2, row);
       float* to = out.data() + coarse.block.at(offset_[0], J + offset_[1], K + offset_[2]);
-      const AxisTransfer& t = axis(0);
+      const AxisTransfer& t = axis_[0];
       if (component != 0) {
         for (int I = 0; I < count; ++I) {
           to[I] = t.cell_first[I] * row[2 * I] + t.cell_second[I] * row[2 * I + 1];
@@ -168,23 +142,14 @@ void Transfer::restrict_cells(const Level& fine, Level& coarse) const {
   }
 }
 
-void Transfer::restrict_mobility(Level& fine, Level& coarse) const {
+void Transfer::restrict_mobility(const Level& fine, Level& coarse) const {
+  const grid::Block& f = fine.block;
   for (int a = 0; a < 3; ++a) {
-    for (std::size_t at = 0; at < fine.block.size; ++at) {
-      fine.r[a][at] = fine.mobility[a][at] * (fine.weighted() ? fine.weight[a][at] : 1.0F);
-    }
-    restrict_faces(a, fine.r[a], fine, coarse.u[a], coarse, Planes::before);
-    restrict_faces(a, fine.r[a], fine, coarse.f[a], coarse, Planes::middle);
-    restrict_faces(a, fine.r[a], fine, coarse.r[a], coarse, Planes::after);
-    std::transform(coarse.u[a].begin(), coarse.u[a].end(), coarse.r[a].begin(), coarse.u[a].begin(),
-                   std::plus<>());  // both outer planes: half of the control volume
-    const grid::Block& f = fine.block;
     for (int K = 0; K < coarse_count(f, 2, a == 2); ++K) {
       for (int J = 0; J < coarse_count(f, 1, a == 1); ++J) {
         for (int I = 0; I < coarse_count(f, 0, a == 0); ++I) {
-          const std::ptrdiff_t at = coarse.block.at(I + offset_[0], J + offset_[1], K + offset_[2]);
-          const float weight = axis_[a].face_middle[Int3{I, J, K}[a]];
-          coarse.mobility[a][at] = mean_along(coarse.f[a][at], coarse.u[a][at], weight);
+          coarse.mobility[a][coarse.block.at(I + offset_[0], J + offset_[1], K + offset_[2])] =
+              coarse_mobility(fine, axis_, a, {I, J, K});
         }
       }
     }
@@ -192,28 +157,42 @@ void Transfer::restrict_mobility(Level& fine, Level& coarse) const {
   gather({coarse.mobility[0].data(), coarse.mobility[1].data(), coarse.mobility[2].data()}, coarse);
 }
 
-void Transfer::link_levels(Level& fine, Level& coarse) const {
+Real Transfer::mean_across(int component, const Level& fine, const Int3& face) const {
+  const int a = (component + 1) % 3;
+  const int b = (component + 2) % 3;
+  const std::ptrdiff_t next_a = fine.block.stride(a);
+  const std::ptrdiff_t next_b = fine.block.stride(b);
+  const std::ptrdiff_t at =
+      fine.block.at(face[0], face[1], face[2]) - next_a * (face[a] % 2) - next_b * (face[b] % 2);
+  const auto share = [&](int t, int child) {
+    const AxisTransfer& axis = axis_[t];
+    return (child == 0 ? axis.cell_first : axis.cell_second)[face[t] / 2];
+  };
+  Real sum = 0;
+  for (int q = 0; q < 2; ++q) {
+    for (int p = 0; p < 2; ++p) {
+      const Real area = share(a, p) * share(b, q);
+      sum += area > 0 ? area * fine.weighted_mobility(component, at + p * next_a + q * next_b) : 0;
+    }
+  }
+  return sum;
+}
+
+void Transfer::share_flux(Level& fine) const {
   const grid::Block& f = fine.block;
   for (int a = 0; a < 3; ++a) {
-    fine.carry[a] = fine.mobility[a];
-    const float* open = coarse.mobility[a].data();
-    const std::ptrdiff_t next = coarse.block.stride(a);
+    fine.carry[a].assign(f.size, 0.0F);
     for (int k = 0; k < fine_count(f, 2, a == 2); ++k) {
       for (int j = 0; j < fine_count(f, 1, a == 1); ++j) {
         for (int i = 0; i < fine_count(f, 0, a == 0); ++i) {
-          const Int3 index{i, j, k};
-          const bool between = axis_[a].coarsened && index[a] % 2 == 1 && index[a] < f.n[a];
-          const std::ptrdiff_t at =
-              coarse.block.at(i / 2 + offset_[0], j / 2 + offset_[1], k / 2 + offset_[2]);
-          if (between && (open[at] == 0) != (open[at + next] == 0)) {
-            fine.carry[a][f.at(i, j, k)] *= 2;
+          const std::ptrdiff_t at = f.at(i, j, k);
+          const float m = fine.mobility[a][at];
+          if (m > 0) {
+            fine.carry[a][at] = static_cast<float>(m / mean_across(a, fine, {i, j, k}));
           }
         }
       }
     }
-    std::transform(coarse.mobility[a].begin(), coarse.mobility[a].end(),
-                   coarse.inverse_mobility[a].begin(),
-                   [](float m) { return m > 0 ? 1 / m : 0.0F; });
   }
   const std::array<float*, 3> fields{fine.carry[0].data(), fine.carry[1].data(),
                                      fine.carry[2].data()};
@@ -222,28 +201,15 @@ void Transfer::link_levels(Level& fine, Level& coarse) const {
 
 void Transfer::restrict_residual(const Level& fine, Level& coarse) const {
   for (int a = 0; a < 3; ++a) {
-    restrict_faces(a, fine.r[a], fine, coarse.f[a], coarse, Planes::all);
+    restrict_faces(a, fine.r[a], fine, coarse.f[a], coarse);
   }
   restrict_cells(fine, coarse);
   gather({coarse.f[0].data(), coarse.f[1].data(), coarse.f[2].data(), coarse.g.data()}, coarse);
-  for (int a = 0; a < 3; ++a) {
-    const float* inverse = coarse.inverse_mobility[a].data();
-    float* f = coarse.f[a].data();
-    for (std::size_t at = 0; at < coarse.block.size; ++at) {
-      f[at] *= inverse[at];
-    }
-  }
 }
 
 void Transfer::prolong(Level& coarse, Level& fine) const {
   coarse.exchange_unknowns(1);
   for (int a = 0; a < 3; ++a) {
-    const float* inverse = coarse.inverse_mobility[a].data();
-    const float* u = coarse.u[a].data();
-    float* z = coarse.r[a].data();
-    for (std::size_t at = 0; at < coarse.block.size; ++at) {
-      z[at] = u[at] * inverse[at];
-    }
     prolong_faces(a, coarse, fine);
   }
   prolong_cells(coarse, fine);
@@ -260,7 +226,7 @@ void Transfer::prolong_faces(int component, const Level& coarse, Level& fine) co
     const Sources planes = prolongation_sources(axis_[2], k, component == 2);
     for (int j = 0; j < fine_count(f, 1, component == 1); ++j) {
       const Sources rows = prolongation_sources(axis_[1], j, component == 1);
-      combine(coarse.block, coarse.r[component], rows, planes, offset_, 0, coarse_columns,
+      combine(coarse.block, coarse.u[component], rows, planes, offset_, 0, coarse_columns,
               coarse_row.data());
       if (component == 0) {
         for (int i = 0; i < columns; i += 2) {
