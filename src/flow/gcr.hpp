@@ -13,7 +13,7 @@ struct SolveOptions {
   Real reference = 0;     ///< norm that 1 stands for; 0: norm of the first residual
   int max_cycles = 200;
   int directions = 1;       ///< previous search directions kept at first
-  int most_directions = 3;  ///< kept when cycles gain little: one more after each of those
+  int most_directions = 2;  ///< kept when cycles gain little: one more after each of those
   std::function<void(int cycle, Real residual)> progress;  ///< called on every rank
   std::function<bool()> interrupted;                       ///< asked on every rank, same answer
 };

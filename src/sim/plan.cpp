@@ -20,7 +20,7 @@ namespace {
 // Fitted to peak_memory(): empty 64^3 and 128^3, Berea 200^3, a chip of 624 x 450 x 10 cells.
 constexpr Real base_bytes = 75e6;    ///< MPI, libraries, code
 constexpr Real dense_bytes = 93;     ///< per cell, ghosts and padding of the rows counted too
-constexpr Real packed_bytes = 196;   ///< per cell in an active line: Krylov vectors
+constexpr Real packed_bytes = 210;   ///< per cell in an active line: Krylov vectors
 constexpr Real voxel_bytes = 1;      ///< per voxel of an image, as long as it is held
 constexpr Real distance_bytes = 28;  ///< per voxel while distances are found, before the solve
 

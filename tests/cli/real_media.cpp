@@ -36,7 +36,7 @@ INSTANTIATE_TEST_SUITE_P(
                                  0.22354,
                                  9.927e-13,
                                  9.485e-13,
-                                 16},
+                                 12},
                       RealMedium{"sphere_pack",
                                  "spherepack_slice.tif",
                                  {corner, "geometry.reconnect_gap=3"},
@@ -52,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(
                                  0.2488,
                                  2.195e-12,
                                  0,
-                                 16},
+                                 12},
                       RealMedium{"gambier",
                                  "gambier_slice.tif",
                                  {corner, "geometry.reconnect_gap=3"},
@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(
                                  0.5816,
                                  1.1502e-11,
                                  0,
-                                 16}),
+                                 12}),
     [](const auto& part) { return part.param.name; });
 
 }  // namespace
