@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "dem/mesh.hpp"
 #include "dem/primitive.hpp"
 #include "dem/surface_field.hpp"
 #include "dem/surface_round.hpp"
@@ -28,8 +29,8 @@ void find_touches(const Fixed<Grains>& fixed, const Vec3& centre, Real radius, R
 }
 
 /// What spheres bump into: one description of walls or grains.
-using Surface =
-    std::variant<Primitives, Fixed<RoundGrains<3>>, Fixed<RoundGrains<2>>, Fixed<DistanceField>>;
+using Surface = std::variant<Primitives, Fixed<RoundGrains<3>>, Fixed<RoundGrains<2>>,
+                             Fixed<DistanceField>, Fixed<Mesh>>;
 
 /// All surfaces of a case; a touch's feature carries the place of its surface in the top byte.
 using Surfaces = std::vector<Surface>;

@@ -135,24 +135,6 @@ void descend(const DistanceField& field, const Vec3& c, const Starts& starts, Fe
   }
 }
 
-/// Leaves the feet nearer than `within`, nearest first. The nearest foot knows whether the centre is in the pore; then feet on the far
-/// side of a thin grain do not count. A centre in a grain leaves it by the nearest way.
-void keep_near_side(Real within, Feet& feet) {
-  const auto first = feet.foot.begin();
-  auto past = first + static_cast<std::ptrdiff_t>(feet.count);
-  std::sort(first, past, [](const Foot& a, const Foot& b) {
-    return std::abs(a.distance) < std::abs(b.distance);
-  });
-  if (feet.count > 0 && first->distance <= 0) {
-    past = first + 1;
-  } else {
-    past = std::remove_if(first, past, [&](const Foot& foot) {
-      return foot.distance <= 0 || foot.distance >= within;
-    });
-  }
-  feet.count = static_cast<std::size_t>(past - first);
-}
-
 bool covers(const DistanceField& field, const Vec3& x, Real distance) {
   const geom::Window& window = field.spline.window;
   for (int axis = 0; axis < (field.spline.flat ? 2 : 3); ++axis) {
@@ -208,8 +190,7 @@ void find_touches(const DistanceField& field, const Vec3& centre, Real radius, R
   Feet feet;
   descend(field, x, starts, feet);
   out.lost += starts.lost + feet.lost;
-  keep_near_side(within, feet);
-  const std::span<Foot> found(feet.foot.data(), feet.count);
+  const std::span<Foot> found = keep_near_side({feet.foot.data(), feet.count}, within);
   if (found.size() > 1) {
     share_force(field.spline, x, r, found);
   }

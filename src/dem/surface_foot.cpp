@@ -159,6 +159,11 @@ Foot find_foot(const SurfaceSpline& spline, const Vec3& centre, const Vec3& star
 
 void share_force(const SurfaceSpline& spline, const Vec3& centre, Real radius,
                  std::span<Foot> feet) {
+  share_force(feet, radius,
+              [&](const Foot& a, const Foot& b) { return saddle(spline, centre, radius, a, b); });
+}
+
+void share_force(std::span<Foot> feet, Real radius, const SaddleOverlap& overlap_between) {
   constexpr Real joined = 0.8660254037844386;  // cos 30
   constexpr Real apart = 0.5;
   constexpr std::size_t most_links = 32;
@@ -170,7 +175,7 @@ void share_force(const SurfaceSpline& spline, const Vec3& centre, Real radius,
           dot(feet[a].normal, feet[b].normal) <= apart || links == most_links) {
         continue;
       }
-      const Real overlap = saddle(spline, centre, radius, feet[a], feet[b]);
+      const Real overlap = overlap_between(feet[a], feet[b]);
       if (overlap > 0) {
         link[links++] = {static_cast<int>(a), static_cast<int>(b), overlap};
       }
@@ -204,6 +209,19 @@ void share_force(const SurfaceSpline& spline, const Vec3& centre, Real radius,
   for (Foot& foot : feet) {
     foot.share = std::max<Real>(foot.share, 0);
   }
+}
+
+std::span<Foot> keep_near_side(std::span<Foot> feet, Real within) {
+  std::sort(feet.begin(), feet.end(), [](const Foot& a, const Foot& b) {
+    return std::abs(a.distance) < std::abs(b.distance);
+  });
+  if (!feet.empty() && feet[0].distance <= 0) {
+    return feet.first(1);
+  }
+  const auto past = std::remove_if(feet.begin(), feet.end(), [&](const Foot& foot) {
+    return foot.distance <= 0 || foot.distance >= within;
+  });
+  return feet.first(static_cast<std::size_t>(past - feet.begin()));
 }
 
 }  // namespace porefines::dem

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MPL-2.0
 #pragma once
 
+#include <functional>
 #include <span>
 
 #include "dem/surface_spline.hpp"
 
 namespace porefines::dem {
 
-/// Point of the surface where the distance to a centre has a local minimum. In voxels.
+/// Point of a surface where the distance to a centre has a local minimum.
 struct Foot {
   Vec3 at;
   Vec3 normal;        ///< unit, from the surface to the centre
@@ -16,7 +17,7 @@ struct Foot {
   bool found = false;
 };
 
-/// Descends from `start` to the nearest foot.
+/// Descends from `start` to the nearest foot, in voxels.
 ///
 /// Newton's method on the surface: with the tangential part e of c - x, its normal part d and
 /// the shape operator S, step t along the surface and back to it,
@@ -40,8 +41,18 @@ struct Foot {
 /// the saddles are taken along the tree that joins the minima at greatest depth. Minima more than
 /// 60 degrees apart are always two contacts, below 30 degrees in full as above, smoothly between.
 /// Walls of a groove are never joined: between them the sphere is in the pore (c <= 0).
-/// @param radius  [voxels] of the sphere
+/// @param feet     all in one unit of length; `share` is set
+/// @param overlap  at the saddle between two feet; zero or less: none
+using SaddleOverlap = std::function<Real(const Foot& a, const Foot& b)>;
+void share_force(std::span<Foot> feet, Real radius, const SaddleOverlap& overlap);
+
+/// The same on a sampled surface. @param radius  [voxels] of the sphere
 void share_force(const SurfaceSpline& spline, const Vec3& centre, Real radius,
                  std::span<Foot> feet);
+
+/// The feet nearer than `within`, nearest first. The nearest foot knows whether the centre is in
+/// the pore; then feet on the far side of a thin grain do not count. A centre in a grain leaves it
+/// by the nearest way.
+[[nodiscard]] std::span<Foot> keep_near_side(std::span<Foot> feet, Real within);
 
 }  // namespace porefines::dem

@@ -5,6 +5,7 @@
 
 #include "dem/system.hpp"
 #include "support/sampled.hpp"
+#include "support/shapes.hpp"
 #include "support/spheres.hpp"
 
 namespace porefines::test {
@@ -75,10 +76,16 @@ TEST(GrainContact, sphere_rests_in_a_groove_to_a_thousandth_of_its_diameter) {
   const Real sunk = shared_overlap(2, std::sin(half));
   const Vec3 exact = bottom + Vec3{0, (0.5 - sunk) / std::sin(half), 0};
   const Surfaces planes{dem::Primitives{dem::Plane{bottom, left}, dem::Plane{bottom, right}}};
+  auto sheets = quad(bottom - Vec3{0, 0, 1}, {0, 0, 6}, 3.0 * Vec3{-left.y, left.x, 0});
+  for (const auto& t :
+       quad(bottom - Vec3{0, 0, 1}, 3.0 * Vec3{-right.y, right.x, 0} * -1.0, {0, 0, 6})) {
+    sheets.push_back(t);
+  }
+  const Surfaces mesh{dem::make_mesh(sheets, 0.6)};
   for (const Real voxels : {8.0, 16.0}) {
     const int n = static_cast<int>(4 * voxels);
     const auto sampled_walls = field(sampled({n, n, 1}, 1 / voxels, groove(voxels)));
-    for (const Surfaces& walls : {planes, sampled_walls}) {
+    for (const Surfaces& walls : {planes, mesh, sampled_walls}) {
       const Vec3 rest = settle(walls, 4, down_y, {2.06, exact.y + 0.03, 2});
       EXPECT_NEAR(rest.x, exact.x, 1e-3);
       EXPECT_NEAR(rest.y, exact.y, 1e-3);
@@ -98,7 +105,8 @@ TEST(GrainContact, sphere_rests_on_a_concave_corner_of_three_walls) {
   const Vec3 exact = corner + (0.5 - sunk) * Vec3{1, 1, 1};
   const Vec3 along = (-1 / std::sqrt(3.0)) * Vec3{1, 1, 1};
   const Surfaces planes{dem::box_faces(corner, {9, 9, 9}, {true, false, true, false, true, false})};
-  for (const Surfaces& surfaces : {planes, field(sampled({n, n, n}, 1 / voxels, walls))}) {
+  const Surfaces mesh{dem::make_mesh(box_mesh(corner, {9, 9, 9}, true), 0.6)};
+  for (const Surfaces& surfaces : {planes, mesh, field(sampled({n, n, n}, 1 / voxels, walls))}) {
     const Vec3 rest = settle(surfaces, 3, along, exact + Vec3{0.02, 0.03, 0.01});
     EXPECT_LT(norm(rest - exact), 1e-3);
   }
