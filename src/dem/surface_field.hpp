@@ -59,7 +59,7 @@ void find_touches(const DistanceField& field, const Vec3& centre, Real radius, R
       static_cast<unsigned>(k) >= static_cast<unsigned>(n[2])) {
     return true;
   }
-  return field.clearance[static_cast<std::size_t>(geom::voxel_index(n, i, j, k))] < 4 * within;
+  return field.clearance[static_cast<std::size_t>(geom::voxel_index(n, i, j, k))] <= 4 * within;
 }
 
 }  // namespace porefines::dem

@@ -263,6 +263,12 @@ TEST(DistanceField, trouble_is_reported) {
   EXPECT_NEAR(at(32, 40).touch[0].normal.x, 1, 1e-6);
   EXPECT_TRUE(at(20, 40).inside);  // more than a radius deep: pushed out all the same
   EXPECT_EQ(at(20, 40).count, 1);
+  TouchList point;  // of no size: is it in a grain?
+  find_touches(field, {21, 40, 40}, 0, 0, point);
+  EXPECT_TRUE(point.inside);
+  point.clear();
+  find_touches(field, {34.5, 40, 40}, 0, 0, point);
+  EXPECT_FALSE(point.inside);
   EXPECT_TRUE(at(40, 9).uncovered);
   EXPECT_TRUE(at(48, -50).uncovered);
 }
