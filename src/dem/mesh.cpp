@@ -107,14 +107,14 @@ void for_each_near(const Mesh& mesh, const Vec3& c, Real within, const Visit& vi
     const std::size_t at = cell_index(mesh, cell);
     for (auto e = mesh.start[at]; e < mesh.start[at + 1]; ++e) {
       const auto f = static_cast<std::size_t>(mesh.list[static_cast<std::size_t>(e)]);
-      const Real height = dot(c - corner(mesh, f, 0), mesh.normal[f]);
-      if (std::abs(height) >= within) {
+      const Vec3 to_middle = c - mesh.middle[f];
+      const Real far = within + mesh.extent[f];
+      if (dot(to_middle, to_middle) >= far * far) {
         continue;
       }
-      const CellRange own = cells_of(mesh, face_box(mesh, f));
       bool is_first = true;
       for (std::size_t a = 0; a < 3; ++a) {
-        is_first = is_first && cell[a] == std::max(own.low[a], range.low[a]);
+        is_first = is_first && cell[a] == std::max(mesh.first_cell[f][a], range.low[a]);
       }
       if (is_first) {
         visit(f);

@@ -28,6 +28,9 @@ struct Mesh {
   Int3 cells{1, 1, 1};
   std::vector<std::int32_t> start;  ///< per cell, and one more
   std::vector<std::int32_t> list;   ///< faces whose box meets the cell
+  std::vector<Int3> first_cell;     ///< per face: lowest cell that its box meets
+  std::vector<Vec3> middle;         ///< [m] per face: centre of its box
+  std::vector<Real> extent;         ///< [m] per face: from there to its corners at most
 };
 
 /// Joins corners that coincide and builds the search grid.

@@ -118,7 +118,7 @@ void fill_cells(Mesh& mesh, Real largest) {
     length += norm(box.high - box.low);
   }
   length /= static_cast<Real>(mesh.face.size());
-  mesh.cell = std::max(0.5 * length, largest);
+  mesh.cell = std::max(length, 0.5 * largest);
   const Real most = 4.0 * static_cast<Real>(mesh.face.size()) + 64;
   for (bool too_many = true; too_many; mesh.cell *= too_many ? 1.3 : 1.0) {
     Real count = 1;
@@ -128,6 +128,12 @@ void fill_cells(Mesh& mesh, Real largest) {
       count *= mesh.cells[static_cast<std::size_t>(a)];
     }
     too_many = count > most;
+  }
+  for (std::size_t f = 0; f < mesh.face.size(); ++f) {
+    const CellBox box = face_box(mesh, f);
+    mesh.first_cell.push_back(cells_of(mesh, box).low);
+    mesh.middle.push_back(0.5 * (box.low + box.high));
+    mesh.extent.push_back(0.5 * norm(box.high - box.low));
   }
   mesh.start.assign(static_cast<std::size_t>(product(mesh.cells)) + 1, 0);
   const auto for_cells = [&](const auto& visit) {

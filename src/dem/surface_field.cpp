@@ -120,11 +120,8 @@ void descend(const DistanceField& field, const Vec3& c, const Starts& starts, Fe
     if (leads_to_known(starts.start[s])) {
       continue;
     }
-    const Foot foot = find_foot(field.spline, c, starts.start[s].at);
-    const auto past = out.foot.begin() + static_cast<std::ptrdiff_t>(out.count);
-    if (!foot.found || std::any_of(out.foot.begin(), past, [&](const Foot& other) {
-          return is_near(foot.at, other.at, 0.02);
-        })) {
+    const Foot foot = find_foot(field.spline, c, starts.start[s].at, {out.foot.data(), out.count});
+    if (!foot.found) {
       continue;
     }
     if (out.count < out.foot.size()) {

@@ -15,6 +15,7 @@ constexpr Real longest_step = 0.7;  // [voxels]
 constexpr Real settled = 1e-6;  // [voxels] of the last step; the distance is then right to 1e-12
 constexpr Real nearly_settled = 0.02;  // [voxels] of the tangential offset
 constexpr Real on_surface = 1e-3;      // [voxels] good enough where the last steps did not settle
+constexpr Real joins = 0.4;            // [voxels] from a known foot
 constexpr Real least_slope = 0.1;
 
 /// Tangential step of (I + d S) t = e with |eigenvalues|, at least `least`: always downhill.
@@ -109,7 +110,8 @@ struct Link {
 
 }  // namespace
 
-Foot find_foot(const SurfaceSpline& spline, const Vec3& centre, const Vec3& start) {
+Foot find_foot(const SurfaceSpline& spline, const Vec3& centre, const Vec3& start,
+               std::span<const Foot> known) {
   Foot out;
   Vec3 x = start;
   Vec3 best = start;
@@ -142,6 +144,13 @@ Foot find_foot(const SurfaceSpline& spline, const Vec3& centre, const Vec3& star
     off = norm(from - d * b.n);
     step = tangential_step(b, d, from - d * b.n, longest);
     x = best + step.t - step.bent * b.n;
+    for (const Foot& foot : known) {
+      const Vec3 apart = x - foot.at;
+      if (dot(apart, apart) < joins * joins) {
+        out.found = false;
+        return out;
+      }
+    }
     if (dot(step.t, step.t) < settled * settled && std::abs(residual) < settled) {
       best = x;
       break;
