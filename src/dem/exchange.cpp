@@ -94,7 +94,7 @@ void unpack(const std::vector<std::byte>& in, Particles& p, KeptContacts& kept) 
     p.force[i] = t.force, p.torque[i] = t.torque;
     p.external_force[i] = t.external_force, p.external_torque[i] = t.external_torque;
     p.radius[i] = t.radius, p.mass[i] = t.mass, p.id[i] = t.id;
-    p.species[i] = t.species, p.flags[i] = t.flags;
+    p.species[i] = t.species, p.flags[i] = t.flags, p.pushed[i] = 1;
     p.set_fixed(i, (t.flags & flag::fixed) != 0);
     kept.append(contacts);
     if (p.creeps) {

@@ -1,107 +1,79 @@
 // SPDX-License-Identifier: MPL-2.0
+// Which pairs touch, and what they remember. Their forces: pair_forces.cpp.
 #include "dem/pair_contacts.hpp"
 
 #include <algorithm>
 #include <bit>
-#include <limits>
-
-#include "dem/contact_batch.hpp"
+#include <cstring>
 
 namespace porefines::dem {
 
 namespace {
 
-/// Lever arms and separations of a batch of pairs, before the normal is known.
-struct PairBatch {
-  ContactBatch contact;
-  ContactBatch::Lane radius_i, radius_j, inverse_mass, inverse_inertia, arm_i, arm_j;
-  ContactBatch::Lane3 spin_i, spin_j;
-};
-
-/// Copies what pair (i, j) needs into lane k. `normal` holds x_i - x_j for now.
-inline void gather(const Particles& p, std::uint32_t i, std::uint32_t j, int k,
-                   const Evaluation& evaluation, PairBatch& b) {
-  b.contact.normal.set(k, p.position[i] - p.position[j]);
-  b.contact.slip.set(k, p.velocity[i] - p.velocity[j]);
-  b.spin_i.set(k, p.angular_velocity[i]);
-  b.spin_j.set(k, p.angular_velocity[j]);
-  b.radius_i[k] = p.radius[i], b.radius_j[k] = p.radius[j];
-  b.inverse_mass[k] = p.inverse_mass[i] + p.inverse_mass[j];
-  b.inverse_inertia[k] = p.inverse_inertia[i] + p.inverse_inertia[j];
-  if (evaluation.creeping) {
-    const auto& turning = p.creeping.spin_resistance;
-    b.inverse_mass[k] = std::numeric_limits<Real>::infinity();
-    b.inverse_inertia[k] = (1 / turning[i] + 1 / turning[j]) / std::max(evaluation.dt, 1e-30);
-  }
-}
-
-/// Normal, overlap and relative motion at the point of contact, which lies in the middle of the
-/// overlap: both bodies take their forces at the same point, so angular momentum is kept.
-void resolve_geometry(PairBatch& b) {
-  ContactBatch& c = b.contact;
-  const int lanes = (c.count + 7) / 8 * 8;
-#pragma omp simd
-  for (int k = 0; k < lanes; ++k) {
-    const Vec3 d = c.normal.get(k);
-    const Real distance = std::sqrt(dot(d, d));
-    const Vec3 n = (1 / distance) * d;
-    const Real overlap = b.radius_i[k] + b.radius_j[k] - distance;
-    const Real arm_i = b.radius_i[k] - 0.5 * overlap;
-    const Real arm_j = b.radius_j[k] - 0.5 * overlap;
-    const Vec3 wi = b.spin_i.get(k);
-    const Vec3 wj = b.spin_j.get(k);
-    c.normal.set(k, n);
-    c.slip.set(k, c.slip.get(k) - cross(arm_i * wi + arm_j * wj, n));
-    c.spin.set(k, wi - wj);
-    c.overlap[k] = overlap;
-    b.arm_i[k] = arm_i, b.arm_j[k] = arm_j;
-    c.radius[k] = b.radius_i[k] * b.radius_j[k] / (b.radius_i[k] + b.radius_j[k]);
-    c.mass[k] = 1 / b.inverse_mass[k];
-    c.inertia[k] = 1 / b.inverse_inertia[k];
-  }
-}
-
-/// Adds lane k's force and torques to its particles.
-inline void scatter(const PairBatch& b, int k, std::uint32_t i, std::uint32_t j, Particles& p) {
-  const Vec3 force = b.contact.force.get(k);
-  const Vec3 turning = cross(b.contact.normal.get(k), force);
-  const Vec3 couple = b.contact.couple.get(k);
-  p.force[i] += force;
-  p.force[j] -= force;
-  p.torque[i] += couple - b.arm_i[k] * turning;
-  p.torque[j] -= couple + b.arm_j[k] * turning;
+/// Vectors of the loops over pairs hold 8 numbers.
+[[nodiscard]] std::size_t padded(std::size_t count) {
+  return (count + 7) / 8 * 8;
 }
 
 }  // namespace
 
-ContactHistory PairContacts::history_of(std::size_t pair) const {
+ContactHistory PairContacts::history_of(std::size_t at) const {
   HistoryNumbers numbers{};
-  std::copy_n(history_.begin() + static_cast<std::ptrdiff_t>(pair) * length_, length_,
-              numbers.begin());
+  for (int h = 0; h < length_; ++h) {
+    numbers[h] = touching_.history[h][at];
+  }
   return std::bit_cast<ContactHistory>(numbers);
 }
 
 void PairContacts::clear() {
   list_ = {};
-  touching_.clear(), history_.clear(), near_.clear();
+  near_ = {};
+  touching_.count = 0;
 }
 
-void PairContacts::build(const Particles& p, Real skin, const KeptContacts& kept) {
+void PairContacts::resize_touching(TouchingPairs& touching, std::size_t count) const {
+  touching.count = count;
+  TouchingPairs::for_arrays(touching, length_,
+                            [count](auto& array) { array.resize(padded(count)); });
+}
+
+/// A contact without history at place `at`.
+void PairContacts::begin(const Particles& p, std::uint32_t pair, TouchingPairs& t,
+                         std::size_t at) const {
+  const std::uint32_t i = list_.first[pair];
+  const std::uint32_t j = list_.second[pair];
+  t.pair[at] = pair;
+  t.first[at] = static_cast<std::int32_t>(i), t.second[at] = static_cast<std::int32_t>(j);
+  t.row[at] = p.species[i] * species_ + p.species[j];
+  t.radius_first[at] = p.radius[i], t.radius_second[at] = p.radius[j];
+  t.radius[at] = p.radius[i] * p.radius[j] / (p.radius[i] + p.radius[j]);
+  t.mass[at] = 1 / (p.inverse_mass[i] + p.inverse_mass[j]);
+  t.inertia[at] = 1 / (p.inverse_inertia[i] + p.inverse_inertia[j]);
+  for (int h = 0; h < length_; ++h) {
+    t.history[h][at] = 0;
+  }
+}
+
+void PairContacts::build(const Particles& p, Real skin, const KeptContacts& kept, int species) {
+  species_ = species;
   find_pairs(p, skin, list_);
   drop_immobile(p);
-  touching_.assign(list_.size(), 0);
-  history_.assign(list_.size() * length_, 0);
-  for (std::size_t k = 0; k < list_.size(); ++k) {
+  std::size_t count = 0;
+  resize_touching(touching_, std::min(list_.size(), kept.entries.size()));
+  for (std::uint32_t k = 0; k < list_.size(); ++k) {
     const std::uint64_t partner = p.id[list_.second[k]];
     for (const KeptContact& contact : kept.of(list_.first[k])) {
       if (contact.partner == partner) {
-        touching_[k] = 1;
+        begin(p, k, touching_, count);
         const auto numbers = std::bit_cast<HistoryNumbers>(contact.history);
-        std::copy_n(numbers.begin(), length_,
-                    history_.begin() + static_cast<std::ptrdiff_t>(k) * length_);
+        for (int h = 0; h < length_; ++h) {
+          touching_.history[h][count] = numbers[h];
+        }
+        ++count;
       }
     }
   }
+  resize_touching(touching_, count);
 }
 
 /// Two held particles do not move each other.
@@ -117,70 +89,101 @@ void PairContacts::drop_immobile(const Particles& p) {
 }
 
 void PairContacts::narrow(const Particles& p, Real window) {
-  near_.clear();
+  near_.pair.clear(), near_.first.clear(), near_.second.clear(), near_.range.clear();
+  near_.was.clear();
+  std::size_t old = 0;    // walks through touching_, which is in the list's order
+  std::size_t still = 0;  // of these, the ones that stay
   for (std::uint32_t k = 0; k < list_.size(); ++k) {
     const std::uint32_t i = list_.first[k];
     const std::uint32_t j = list_.second[k];
     const Vec3 d = p.position[i] - p.position[j];
-    const Real range = p.radius[i] + p.radius[j] + window;
-    if (dot(d, d) < range * range) {
-      near_.push_back(k);
-    } else if (touching_[k] != 0) {
-      touching_[k] = 0;
-      std::fill_n(history_.begin() + static_cast<std::ptrdiff_t>(k) * length_, length_, 0.0);
+    const Real touch = p.radius[i] + p.radius[j];
+    const bool touched = old < touching_.count && touching_.pair[old] == k;
+    const bool near = dot(d, d) < (touch + window) * (touch + window);
+    if (near) {
+      near_.pair.push_back(k);
+      near_.first.push_back(static_cast<std::int32_t>(i));
+      near_.second.push_back(static_cast<std::int32_t>(j));
+      near_.range.push_back(touch * touch);
+      near_.was.push_back(touched ? 1 : 0);
     }
+    if (touched && near) {
+      TouchingPairs::for_arrays(touching_, length_,
+                                [&](auto& array) { array[still] = array[old]; });
+      ++still;
+    }
+    old += touched ? 1 : 0;
   }
-}
-
-void PairContacts::add_forces(const ContactModel& model, const MaterialTable& materials,
-                              const Evaluation& evaluation, Particles& p) {
-  find_touching(p);
-  const int species = materials.count();
-  with_law(model, [&](const auto& law) {
-    static thread_local PairBatch b{};
-    for (std::size_t first = 0; first < touch_.size(); first += batch_width) {
-      const int count = static_cast<int>(std::min<std::size_t>(batch_width, touch_.size() - first));
-      b.contact.count = count;
-      for (int k = 0; k < count; ++k) {
-        const std::uint32_t pair = touch_[first + k];
-        const std::uint32_t i = list_.first[pair];
-        const std::uint32_t j = list_.second[pair];
-        gather(p, i, j, k, evaluation, b);
-        b.contact.pair[k] = p.species[i] * species + p.species[j];
-        b.contact.load_history(k, history_.data() + std::size_t{pair} * length_, length_);
-      }
-      resolve_geometry(b);
-      evaluate(law, materials.pairs(), evaluation.dt, b.contact);
-      for (int k = 0; k < count; ++k) {
-        const std::uint32_t pair = touch_[first + k];
-        scatter(b, k, list_.first[pair], list_.second[pair], p);
-        b.contact.store_history(k, history_.data() + std::size_t{pair} * length_, length_);
-      }
-      for (int k = 0; k < count; ++k) {
-        const Real smaller = std::min(b.radius_i[k], b.radius_j[k]);
-        largest_overlap_ = std::max(largest_overlap_, b.contact.overlap[k] / smaller);
-      }
-    }
-  });
+  resize_touching(touching_, still);
+  near_.now.resize(near_.pair.size());
 }
 
 void PairContacts::find_touching(const Particles& p) {
-  touch_.resize(near_.size());
-  std::size_t count = 0;
-  for (const std::uint32_t k : near_) {
-    const std::uint32_t i = list_.first[k];
-    const std::uint32_t j = list_.second[k];
-    const Vec3 d = p.position[i] - p.position[j];
-    const Real range = p.radius[i] + p.radius[j];
-    if (dot(d, d) < range * range) {
-      touching_[k] = 1;
-      touch_[count++] = k;
-    } else if (touching_[k] != 0) {
-      touching_[k] = 0;
-      std::fill_n(history_.begin() + static_cast<std::ptrdiff_t>(k) * length_, length_, 0.0);
-    }
+  const Real* x = p.position.empty() ? nullptr : &p.position[0].x;
+  const std::int32_t* first = near_.first.data();
+  const std::int32_t* second = near_.second.data();
+  const Real* range = near_.range.data();
+  std::uint8_t* now = near_.now.data();
+  const std::size_t count = near_.pair.size();
+#pragma omp simd
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::int32_t i = 3 * first[k];
+    const std::int32_t j = 3 * second[k];
+    const Real dx = x[i] - x[j];
+    const Real dy = x[i + 1] - x[j + 1];
+    const Real dz = x[i + 2] - x[j + 2];
+    now[k] = dx * dx + dy * dy + dz * dz < range[k] ? 1 : 0;
   }
-  touch_.resize(count);
+  if (std::memcmp(now, near_.was.data(), count) != 0) {
+    renew_touching(p);
+  }
+}
+
+/// Takes pairs that have met into touching_ and those that have parted out of it.
+void PairContacts::renew_touching(const Particles& p) {
+  const auto count = static_cast<std::size_t>(std::count(near_.now.begin(), near_.now.end(), 1));
+  resize_touching(next_, count);
+  std::size_t old = 0;
+  std::size_t at = 0;
+  const std::size_t all = near_.pair.size();
+  for (std::size_t k = 0; k < all;) {
+    std::size_t run = k;  // pairs that touch as before move together
+    while (run < all && near_.now[run] == near_.was[run]) {
+      ++run;
+    }
+    const auto same = static_cast<std::size_t>(
+        std::count(near_.was.begin() + static_cast<std::ptrdiff_t>(k),
+                   near_.was.begin() + static_cast<std::ptrdiff_t>(run), 1));
+    copy_run(old, same, at);
+    old += same, at += same;
+    if (run < all) {
+      if (near_.now[run] != 0) {
+        begin(p, near_.pair[run], next_, at++);
+      } else {
+        ++old;
+      }
+    }
+    k = run + 1;
+  }
+  std::swap(touching_, next_);
+  near_.was = near_.now;
+}
+
+void PairContacts::copy_run(std::size_t from, std::size_t count, std::size_t to) {
+  const auto copy = [=](const auto& source, auto& target) {
+    std::copy_n(source.begin() + static_cast<std::ptrdiff_t>(from), count,
+                target.begin() + static_cast<std::ptrdiff_t>(to));
+  };
+  copy(touching_.pair, next_.pair);
+  copy(touching_.first, next_.first), copy(touching_.second, next_.second);
+  copy(touching_.row, next_.row);
+  copy(touching_.radius_first, next_.radius_first);
+  copy(touching_.radius_second, next_.radius_second);
+  copy(touching_.radius, next_.radius);
+  copy(touching_.mass, next_.mass), copy(touching_.inertia, next_.inertia);
+  for (int h = 0; h < length_; ++h) {
+    copy(touching_.history[h], next_.history[h]);
+  }
 }
 
 }  // namespace porefines::dem

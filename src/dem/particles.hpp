@@ -77,6 +77,7 @@ struct Particles {
   std::vector<std::uint64_t> id;
   std::vector<std::uint16_t> species;
   std::vector<std::uint8_t> flags;
+  std::vector<std::uint8_t> pushed;  ///< 0: force and torque are zero and need not be looked at
   Creeping creeping;
   bool creeps = false;  ///< whether `creeping` is kept
 
@@ -91,7 +92,7 @@ struct Particles {
     visit(self.force), visit(self.torque);
     visit(self.external_force), visit(self.external_torque);
     visit(self.radius), visit(self.mass), visit(self.inverse_mass), visit(self.inverse_inertia);
-    visit(self.id), visit(self.species), visit(self.flags);
+    visit(self.id), visit(self.species), visit(self.flags), visit(self.pushed);
     if (self.creeps) {
       Creeping::for_arrays(self.creeping, visit);
     }

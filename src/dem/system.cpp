@@ -14,7 +14,7 @@ namespace porefines::dem {
 namespace {
 
 /// Share of the mean diameter that pairs are listed beyond contact.
-constexpr Real default_skin = 0.1;
+constexpr Real default_skin = 0.2;
 /// Steps that a narrowed list should last.
 constexpr Real narrow_steps = 32;
 
@@ -99,15 +99,16 @@ void System::advance(Real dt, Index steps) {
     return;
   }
   prepare();
+  const Kick motion{settings_.gravity, dt, has_external_forces(particles_)};
   for (Index step = 0; step < steps; ++step) {
     const int kicks = step == 0 ? 1 : 2;
-    const Real speed_squared = kick_and_drift(particles_, settings_.gravity, dt, kicks, true);
+    const Real speed_squared = kick_and_drift(particles_, motion, kicks, true);
     walls_.advance(dt);
     update_lists(std::sqrt(speed_squared), dt);
     contact_forces({dt});
     ++work_.steps;
   }
-  kick_and_drift(particles_, settings_.gravity, dt, 1, false);
+  kick_and_drift(particles_, motion, 1, false);
   check_walls();
 }
 
@@ -163,7 +164,7 @@ void System::keep_contacts() {
   if (!lists_hold_) {
     return;
   }
-  kept_ = save().contacts;
+  kept_ = collected_contacts();
   particles_.resize(particles_.owned);
   pairs_.clear();
   lists_hold_ = false;
@@ -189,7 +190,7 @@ void System::build_lists(bool sort) {
     moved_ = 0;
   }
   exchange_.make_ghosts(particles_, skin_ + 2 * moved_);
-  pairs_.build(particles_, skin_, kept_);
+  pairs_.build(particles_, skin_, kept_, settings_.materials.count());
   walls_.build(particles_, skin_, kept_);
   lists_hold_ = true;
   ++work_.rebuilds;
@@ -213,30 +214,31 @@ Snapshot System::save() const {
   s.particles.resize(particles_.owned);
   s.walls = walls_.surfaces();
   s.skin = skin_, s.moved = moved_;
-  if (!lists_hold_) {
-    s.contacts = kept_;
-    return s;
-  }
-  std::vector<std::pair<std::uint32_t, KeptContact>> found;
-  pairs_.for_touching([&](std::uint32_t i, std::uint32_t j, const ContactHistory& history) {
-    found.push_back({i, {particles_.id[j], history, {}}});
-    if (j < particles_.owned) {
-      found.push_back({j, {particles_.id[i], seen_by_partner(history), {}}});
-    }
-  });
-  walls_.for_touching([&](std::uint32_t i, const KeptContact& contact) {
-    found.push_back({i, contact});
-  });
-  std::stable_sort(found.begin(), found.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::size_t next = 0;
-  for (std::uint32_t i = 0; i < particles_.owned; ++i) {
-    while (next < found.size() && found[next].first == i) {
-      s.contacts.entries.push_back(found[next++].second);
-    }
-    s.contacts.append({});
-  }
+  s.contacts = lists_hold_ ? collected_contacts() : kept_;
   return s;
+}
+
+/// Every particle's contacts, with other particles first, then with walls.
+KeptContacts System::collected_contacts() const {
+  KeptContacts kept;
+  kept.start.assign(particles_.owned + 1, 0);
+  const auto for_ends = [this](const auto& visit) {  // visit(particle, partner, history, normal)
+    pairs_.for_touching([&](std::uint32_t i, std::uint32_t j, const ContactHistory& history) {
+      visit(i, KeptContact{particles_.id[j], history, {}});
+      if (j < particles_.owned) {
+        visit(j, KeptContact{particles_.id[i], seen_by_partner(history), {}});
+      }
+    });
+    walls_.for_touching([&](std::uint32_t i, const KeptContact& contact) { visit(i, contact); });
+  };
+  for_ends([&](std::uint32_t i, const KeptContact&) { ++kept.start[i + 1]; });
+  for (std::size_t i = 1; i < kept.start.size(); ++i) {
+    kept.start[i] += kept.start[i - 1];
+  }
+  kept.entries.resize(kept.start.back());
+  std::vector<std::uint32_t> next(kept.start.begin(), kept.start.end() - 1);
+  for_ends([&](std::uint32_t i, const KeptContact& contact) { kept.entries[next[i]++] = contact; });
+  return kept;
 }
 
 void System::restore(Snapshot snapshot, bool same_ranks) {

@@ -25,7 +25,7 @@ struct Settings {
   Surfaces walls;  ///< whole on every rank, or what its block and the reach of its particles need
   std::vector<std::uint16_t> wall_species;  ///< material of each wall; empty: all species 0
   Vec3 gravity;                             ///< [m/s^2]
-  Real skin = 0;  ///< [m] pairs nearer than this are listed; 0: a tenth of the mean diameter
+  Real skin = 0;  ///< [m] pairs nearer than this are listed; 0: a fifth of the mean diameter
 };
 
 /// Sums over all particles and contacts of all ranks.
@@ -146,6 +146,7 @@ class System {
 
  private:
   void keep_contacts();
+  [[nodiscard]] KeptContacts collected_contacts() const;
   void build_lists(bool sort);
   void narrow_lists();
   void update_lists(Real fastest, Real dt);

@@ -90,6 +90,7 @@ void WallContacts::add_forces(const ContactModel& model, const MaterialTable& ma
         const Vec3 force = share * b.force.get(k);
         const Real arm = p.radius[i] - 0.5 * b.overlap[k];
         p.force[i] += force;
+        p.pushed[i] = 1;
         p.torque[i] += share * b.couple.get(k) - arm * cross(b.normal.get(k), force);
         HistoryNumbers numbers{};
         b.store_history(k, numbers.data(), length_);
