@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MPL-2.0
 // Moves the spheres of a LIGGGHTS data file through the same case and prints how fast.
-//   dem_speed FILE periodic|settling STEPS WARM
+//   dem_speed FILE periodic|settling|PORE.pgm STEPS WARM
+// PORE.pgm: 1 um a pixel, 0 = pore, grains 16 um high between plates.
 #include <chrono>
 #include <ctime>
 #include <fstream>
@@ -12,6 +13,7 @@
 
 #include "core/error.hpp"
 #include "dem/system.hpp"
+#include "geom/voxel_solid.hpp"
 
 using namespace porefines;
 
@@ -56,6 +58,33 @@ Case read(const std::string& name) {
   return c;
 }
 
+/// Grains of the picture as a signed distance, plates and the picture's border as planes.
+dem::Surfaces pore_walls(const std::string& name, Real largest) {
+  std::ifstream file(name, std::ios::binary);
+  std::string magic;
+  Int3 n{0, 0, 1};
+  int most = 0;
+  file >> magic >> n[0] >> n[1] >> most;
+  file.get();
+  std::vector<char> pixels(static_cast<std::size_t>(product(n)));
+  if (magic != "P5" || !file.read(pixels.data(), static_cast<std::streamsize>(pixels.size()))) {
+    throw InputError("cannot read " + name);
+  }
+  geom::Voxels voxels = geom::make_voxels(n, 0);
+  for (int j = 0; j < n[1]; ++j) {
+    for (int i = 0; i < n[0]; ++i) {
+      voxels.at(i, j, 0) = pixels[static_cast<std::size_t>(i + n[0] * j)] == 0 ? 1 : 0;
+    }
+  }
+  constexpr geom::Surroundings mirrored{geom::Beyond::mirror, geom::Beyond::mirror,
+                                        geom::Beyond::mirror};
+  const geom::Window window{{-12, -12, 0}, {n[0] + 12, n[1] + 12, 1}};
+  const auto solid = geom::smooth_solid(voxels.view(), 1e-6, mirrored, window, {1, 8});
+  const Vec3 high{n[0] * 1e-6, n[1] * 1e-6, 16e-6};
+  return {dem::Fixed<dem::DistanceField>(dem::make_field(solid, largest)),
+          dem::box_faces({}, high, {true, true, true, true, true, true})};
+}
+
 Real cpu_seconds() {
   return static_cast<Real>(std::clock()) / CLOCKS_PER_SEC;
 }
@@ -66,12 +95,17 @@ void run(const par::Communicator& comm, const std::string& file, const std::stri
   dem::Settings s;
   s.box = c.box;
   const bool settling = kind == "settling";
-  s.box.periodic = {true, true, !settling};
+  const bool pore = !settling && kind != "periodic";
+  s.box.periodic = {!pore, !pore, !pore && !settling};
   s.materials = dem::MaterialTable({{"latex", 5e6, 0.45}}, {0.9, 0.5});
   if (settling) {
     s.gravity = {0, 0, -2000};
     s.walls.emplace_back(
         dem::box_faces(s.box.low, s.box.high, {false, false, false, false, true, true}));
+  }
+  if (pore) {
+    s.gravity = {2000 * 0.957826, 0, -2000 * 0.287348};  // along (1, 0, -0.3)
+    s.walls = pore_walls(kind, 5e-6);
   }
   dem::System system(comm, s);
   system.insert(c.bodies);
@@ -106,7 +140,7 @@ int main(int argc, char** argv) {
   int status = 0;
   try {
     if (argc != 5) {
-      throw InputError("usage: dem_speed FILE periodic|settling STEPS WARM");
+      throw InputError("usage: dem_speed FILE periodic|settling|PORE.pgm STEPS WARM");
     }
     run(par::Communicator(), argv[1], argv[2], std::stoll(argv[3]), std::stoll(argv[4]));
   } catch (const std::exception& error) {
