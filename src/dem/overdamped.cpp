@@ -94,7 +94,7 @@ Real System::creep_limit(Real left, Real allowed) {
       stiffness_[i] += k, stiffness_[j] += k;
     }
   });
-  walls_.for_near(p, window_, [&](std::uint32_t i, const Touch& touch, int species) {
+  walls_.for_near(p, window_, moved_, [&](std::uint32_t i, const Touch& touch, int species) {
     limit(touch.gap, -dot(touch.normal, p.velocity[i] - touch.velocity));
     if (touch.gap < 0) {
       const PairMaterial& pair = settings_.materials.pair(p.species[i], species);

@@ -139,7 +139,7 @@ void System::update_lists(Real fastest, Real dt) {
 void System::contact_forces(const Evaluation& evaluation) {
   pairs_.add_forces(settings_.model, settings_.materials, evaluation, particles_);
   if (!walls_.empty()) {
-    walls_.add_forces(settings_.model, settings_.materials, evaluation, particles_);
+    walls_.add_forces(settings_.model, settings_.materials, evaluation, moved_, particles_);
   }
 }
 
@@ -191,7 +191,7 @@ void System::build_lists(bool sort) {
   }
   exchange_.make_ghosts(particles_, skin_ + 2 * moved_);
   pairs_.build(particles_, skin_, kept_, settings_.materials.count());
-  walls_.build(particles_, skin_, kept_);
+  walls_.build(particles_, skin_, moved_, kept_);
   lists_hold_ = true;
   ++work_.rebuilds;
   work_.listed_pairs = static_cast<Index>(pairs_.list().size());
@@ -204,7 +204,6 @@ void System::narrow_lists() {
   window_ = std::min(left, std::max(2 * narrow_steps * moved_per_step_, skin_ / 16));
   moved_narrow_ = 0;
   pairs_.narrow(particles_, window_);
-  walls_.narrow(particles_, window_);
   ++work_.narrowings;
 }
 

@@ -36,48 +36,78 @@ void fill(const ContactState& c, int k, ContactBatch& b) {
 WallContacts::WallContacts(Surfaces surfaces, std::vector<std::uint16_t> species, int history)
     : surfaces_(std::move(surfaces)), species_(std::move(species)), length_(history) {}
 
-void WallContacts::find(const Particles& p, std::uint32_t i, Real reach) {
-  find_touches(surfaces_, p.position[i], p.radius[i], reach, touches_);
+void WallContacts::find(const Particles& p, std::uint32_t i, std::uint32_t surface, Real reach) {
+  touches_.clear();
+  find_touches(surfaces_[surface], p.position[i], p.radius[i], reach, touches_);
   trouble_.lost += touches_.lost;
   trouble_.inside += touches_.inside ? 1 : 0;
   trouble_.uncovered += touches_.uncovered ? 1 : 0;
 }
 
-void WallContacts::build(const Particles& p, Real skin, const KeptContacts& kept) {
+void WallContacts::build(const Particles& p, Real skin, Real moved, const KeptContacts& kept) {
   candidates_.clear(), entries_.clear();
   largest_speed_ = 0;
+  ahead_ = skin;
   for (const Surface& surface : surfaces_) {
     largest_speed_ = std::max(largest_speed_, speed_bound(surface, p));
   }
   for (std::uint32_t i = 0; !empty() && i < p.owned; ++i) {
-    if (p.inverse_mass[i] == 0) {
-      continue;  // held: walls do not move it
-    }
-    find(p, i, skin);
-    if (touches_.count == 0 && !touches_.in_trouble()) {
-      continue;
-    }
-    const auto first = static_cast<std::uint32_t>(entries_.size());
-    for (const KeptContact& contact : kept.of(i)) {
-      if (contact.partner >= wall_partner(0)) {
-        entries_.push_back(
-            {static_cast<std::uint32_t>(contact.partner), contact.normal, contact.history});
+    for (std::uint32_t part = 0; p.inverse_mass[i] > 0 && part < surfaces_.size(); ++part) {
+      find(p, i, part, skin);
+      if (touches_.count == 0 && !touches_.in_trouble()) {
+        continue;
       }
+      const auto first = static_cast<std::uint32_t>(entries_.size());
+      for (const KeptContact& contact : kept.of(i)) {
+        const auto feature = static_cast<std::uint32_t>(contact.partner);
+        if (contact.partner >= wall_partner(0) && feature >> surface_shift == part) {
+          entries_.push_back({feature, contact.normal, contact.history});
+        }
+      }
+      const auto count = static_cast<std::uint32_t>(entries_.size()) - first;
+      candidates_.push_back({i, part, first, count, moved});
     }
-    candidates_.push_back({i, first, static_cast<std::uint32_t>(entries_.size()) - first, true});
   }
 }
 
-void WallContacts::narrow(const Particles& p, Real window) {
-  for (Candidate& c : candidates_) {
-    find(p, c.particle, window);
-    c.near = touches_.count > 0 || touches_.in_trouble();
-    c.count = c.near ? c.count : 0;
+/// Finds what a candidate touches now, or until when it cannot. Forces always come from a search
+/// without reach: shares may depend on what else is in the list.
+void WallContacts::look(const Particles& p, Real moved, Candidate& c) {
+  if (c.count == 0) {
+    find(p, c.particle, c.surface, ahead_);
+    Real gap = ahead_;
+    for (const Touch& touch : touches_.view()) {
+      gap = std::min(gap, touch.gap);
+    }
+    if (gap >= 0 && !touches_.in_trouble()) {
+      c.clear = moved + gap / 2;  // both may have moved
+      touches_.clear();
+      return;
+    }
+  }
+  find(p, c.particle, c.surface, 0);
+  c.clear = moved;
+  for (int t = 0; t < touches_.count; ++t) {
+    touches_.touch[t].feature |= c.surface << surface_shift;
+  }
+}
+
+/// Calls add(touch, history) for every touch of a candidate with what it remembers.
+template <typename Add>
+void WallContacts::match(const Candidate& c, const TouchList& touches, const Add& add) const {
+  const std::span<const Entry> before{entries_.data() + c.first, c.count};
+  std::array<bool, TouchList::capacity> taken{};
+  for (const Touch& touch : touches.view()) {
+    const int was = find_history(touch, before, std::span<const bool>(taken).first(c.count));
+    if (was >= 0) {
+      taken[was] = true;
+    }
+    add(touch, was >= 0 ? before[was].history : ContactHistory{});
   }
 }
 
 void WallContacts::add_forces(const ContactModel& model, const MaterialTable& materials,
-                              const Evaluation& evaluation, Particles& p) {
+                              const Evaluation& evaluation, Real moved, Particles& p) {
   next_.clear();
   with_law(model, [&](const auto& law) {
     static thread_local ContactBatch b{};
@@ -90,8 +120,8 @@ void WallContacts::add_forces(const ContactModel& model, const MaterialTable& ma
         const Vec3 force = share * b.force.get(k);
         const Real arm = p.radius[i] - 0.5 * b.overlap[k];
         p.force[i] += force;
-        p.pushed[i] = 1;
         p.torque[i] += share * b.couple.get(k) - arm * cross(b.normal.get(k), force);
+        p.pushed[i] = 1;
         HistoryNumbers numbers{};
         b.store_history(k, numbers.data(), length_);
         next_[entry].history = std::bit_cast<ContactHistory>(numbers);
@@ -101,31 +131,23 @@ void WallContacts::add_forces(const ContactModel& model, const MaterialTable& ma
     };
     for (Candidate& c : candidates_) {
       const auto first = static_cast<std::uint32_t>(next_.size());
-      if (c.near) {
-        find(p, c.particle, 0);
-        const std::span<const Entry> before{entries_.data() + c.first, c.count};
-        std::array<bool, TouchList::capacity> taken{};
-        for (const Touch& touch : touches_.view()) {
-          const int was = find_history(touch, before, std::span<const bool>(taken).first(c.count));
-          next_.push_back({touch.feature, touch.normal, {}});
-          if (was >= 0) {
-            taken[was] = true;
-            next_.back().history = before[was].history;
-          }
+      if (c.count > 0 || c.clear <= moved) {
+        look(p, moved, c);
+        match(c, touches_, [&](const Touch& touch, const ContactHistory& history) {
+          next_.push_back({touch.feature, touch.normal, history});
           const int k = b.count++;
           fill(wall_state(p, c.particle, touch), k, b);
           if (evaluation.creeping) {
             b.mass[k] = 0;
             b.inertia[k] = p.creeping.spin_resistance[c.particle] * std::max(evaluation.dt, 1e-30);
           }
-          const int wall = species_[touch.feature >> surface_shift];
-          b.pair[k] = p.species[c.particle] * materials.count() + wall;
-          b.load_history(k, std::bit_cast<HistoryNumbers>(next_.back().history).data(), length_);
+          b.pair[k] = p.species[c.particle] * materials.count() + species_[c.surface];
+          b.load_history(k, std::bit_cast<HistoryNumbers>(history).data(), length_);
           filled[k] = {c.particle, static_cast<std::uint32_t>(next_.size() - 1), touch.share};
           if (b.count == batch_width) {
             flush();
           }
-        }
+        });
       }
       c.first = first;
       c.count = static_cast<std::uint32_t>(next_.size()) - first;
@@ -139,20 +161,16 @@ void WallContacts::for_contacts(const Particles& p, const MaterialTable& materia
                                 const Report& report) const {
   TouchList touches;
   for (const Candidate& c : candidates_) {
-    find_touches(surfaces_, p.position[c.particle], p.radius[c.particle], 0, touches);
-    const std::span<const Entry> before{entries_.data() + c.first, c.count};
-    std::array<bool, TouchList::capacity> taken{};
-    for (const Touch& touch : touches.view()) {
-      const int was = find_history(touch, before, std::span<const bool>(taken).first(c.count));
-      ContactHistory history;
-      if (was >= 0) {
-        taken[was] = true;
-        history = before[was].history;
-      }
-      const int wall = species_[touch.feature >> surface_shift];
-      report(c.particle, materials.pair(p.species[c.particle], wall),
-             wall_state(p, c.particle, touch), history, touch.share, touch.feature);
+    touches.clear();
+    find_touches(surfaces_[c.surface], p.position[c.particle], p.radius[c.particle], 0, touches);
+    for (int t = 0; t < touches.count; ++t) {
+      touches.touch[t].feature |= c.surface << surface_shift;
     }
+    const PairMaterial& pair = materials.pair(p.species[c.particle], species_[c.surface]);
+    match(c, touches, [&](const Touch& touch, const ContactHistory& history) {
+      report(c.particle, pair, wall_state(p, c.particle, touch), history, touch.share,
+             touch.feature);
+    });
   }
 }
 

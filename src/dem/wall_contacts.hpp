@@ -26,20 +26,20 @@ class WallContacts {
   WallContacts(Surfaces surfaces, std::vector<std::uint16_t> species, int history);
 
   /// Lists the owned particles nearer than `skin` to a surface, with their history.
-  void build(const Particles& particles, Real skin, const KeptContacts& kept);
-  /// Of these, the ones with gaps below `window` for the coming steps.
-  void narrow(const Particles& particles, Real window);
+  /// @param moved  [m] farthest way of any particle or wall since the lists count it
+  void build(const Particles& particles, Real skin, Real moved, const KeptContacts& kept);
+  /// @param moved  [m] as for build: a particle is looked at again only when it may have arrived
   void add_forces(const ContactModel& model, const MaterialTable& materials,
-                  const Evaluation& evaluation, Particles& particles);
+                  const Evaluation& evaluation, Real moved, Particles& particles);
 
-  /// Calls visit(i, touch, wall's species) for every touch nearer than `reach` of the narrowed list.
+  /// Calls visit(i, touch, wall's species) for every touch nearer than `reach`.
   template <typename Visit>
-  void for_near(const Particles& particles, Real reach, const Visit& visit) {
+  void for_near(const Particles& particles, Real reach, Real moved, const Visit& visit) {
     for (const Candidate& c : candidates_) {
-      if (c.near) {
-        find(particles, c.particle, reach);
+      if (c.clear < moved + reach) {
+        find(particles, c.particle, c.surface, reach);
         for (const Touch& touch : touches_.view()) {
-          visit(c.particle, touch, species_[touch.feature >> surface_shift]);
+          visit(c.particle, touch, species_[c.surface]);
         }
       }
     }
@@ -73,11 +73,12 @@ class WallContacts {
   void reset_largest_overlap() { largest_overlap_ = 0; }
 
  private:
-  struct Candidate {
+  struct Candidate {  ///< a particle near a surface
     std::uint32_t particle;
+    std::uint32_t surface;
     std::uint32_t first;  ///< its touches of the last evaluation in entries_
     std::uint32_t count;
-    bool near;
+    Real clear;  ///< [m] it cannot touch before `moved` gets there
   };
   struct Entry {  ///< a touch and what it remembers
     std::uint32_t feature;
@@ -89,7 +90,10 @@ class WallContacts {
     std::uint32_t entry;
     Real share;
   };
-  void find(const Particles& particles, std::uint32_t i, Real reach);
+  void find(const Particles& particles, std::uint32_t i, std::uint32_t surface, Real reach);
+  void look(const Particles& particles, Real moved, Candidate& candidate);
+  template <typename Add>
+  void match(const Candidate& candidate, const TouchList& touches, const Add& add) const;
 
   Surfaces surfaces_;
   std::vector<std::uint16_t> species_;
@@ -99,6 +103,7 @@ class WallContacts {
   std::vector<Entry> next_;
   TouchList touches_;
   WallTrouble trouble_;
+  Real ahead_ = 0;  ///< [m] how far around a particle that does not touch is searched
   Real largest_speed_ = 0;
   Real largest_overlap_ = 0;
 };
