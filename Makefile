@@ -6,7 +6,7 @@
 BUILD := build/release
 export CCACHE_BASEDIR := $(CURDIR)
 
-.PHONY: all setup build install demo check bench compare-openfoam validate lint format fuzz clean
+.PHONY: all setup build install demo check bench compare-openfoam compare-liggghts validate lint format fuzz clean
 
 all: build
 
@@ -34,6 +34,10 @@ bench: build
 
 compare-openfoam: build
 	@bench/openfoam/compare.sh
+
+compare-liggghts: build
+	@cmake --build --preset release --target dem_speed
+	@bench/liggghts/compare.sh
 
 validate: build
 	@ctest --preset validate

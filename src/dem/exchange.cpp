@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <numeric>
 #include <type_traits>
 
 #include <fmt/format.h>
@@ -222,11 +223,13 @@ void Exchange::make_ghosts(Particles& p, Real reach) {
       }
       const bool own = leg.to == comm_.rank() && leg.from == comm_.rank();
       const auto in = own ? out : pass_on(comm_.handle(), out, leg.to, leg.from);
-      leg.first = p.size();
-      leg.count = in.size() / sizeof(GhostParcel);
-      p.resize(leg.first + leg.count);
+      const auto first = static_cast<std::uint32_t>(p.size());
+      leg.ghosts.resize(in.size() / sizeof(GhostParcel));
+      std::iota(leg.ghosts.begin(), leg.ghosts.end(), first);
+      leg.sent_few = leg.sent, leg.ghosts_few = leg.ghosts;
+      p.resize(first + leg.ghosts.size());
       const std::byte* at = in.data();
-      for (std::size_t i = leg.first; i < p.size(); ++i) {
+      for (std::size_t i = first; i < p.size(); ++i) {
         GhostParcel g;
         at = take(at, &g);
         p.radius[i] = g.radius, p.mass[i] = g.mass, p.id[i] = g.id;
@@ -239,17 +242,48 @@ void Exchange::make_ghosts(Particles& p, Real reach) {
         }
       }
     }
-    refresh_axis(p, a);
+    refresh_axis(p, a, true);
   }
 }
 
-void Exchange::refresh(Particles& p) {
+void Exchange::refresh(Particles& p, bool all) {
   for (int a = 0; a < 3; ++a) {
-    refresh_axis(p, a);
+    refresh_axis(p, a, all);
   }
 }
 
-void Exchange::refresh_axis(Particles& p, int axis) {
+void Exchange::restrict_to(std::vector<std::uint8_t> needed, std::size_t owned) {
+  for (int a = 2; a >= 0; --a) {  // backwards: a ghost of a ghost needs the first one
+    for (Leg& leg : legs_[a]) {
+      std::vector<std::uint32_t> wanted;
+      leg.ghosts_few.clear(), leg.sent_few.clear();
+      for (std::uint32_t k = 0; k < leg.ghosts.size(); ++k) {
+        if (needed[leg.ghosts[k]] != 0) {
+          wanted.push_back(k);
+          leg.ghosts_few.push_back(leg.ghosts[k]);
+        }
+      }
+      if (leg.to != comm_.rank()) {
+        std::vector<std::byte> out;
+        put(out, wanted.data(), wanted.size());
+        const auto in = pass_on(comm_.handle(), out, leg.from, leg.to);
+        messages_ += leg.from >= 0 ? 1 : 0;
+        wanted.resize(in.size() / sizeof(std::uint32_t));
+        take(in.data(), wanted.data(), wanted.size());
+      }
+      for (const std::uint32_t k : wanted) {
+        leg.sent_few.push_back(leg.sent[k]);
+      }
+    }
+    for (const Leg& leg : legs_[a]) {
+      for (const std::uint32_t i : leg.sent_few) {
+        needed[i] = i >= owned ? 1 : 0;
+      }
+    }
+  }
+}
+
+void Exchange::refresh_axis(Particles& p, int axis, bool all) {
   constexpr int width = 9;
   std::array<MPI_Request, 4> requests{MPI_REQUEST_NULL, MPI_REQUEST_NULL, MPI_REQUEST_NULL,
                                       MPI_REQUEST_NULL};
@@ -257,23 +291,25 @@ void Exchange::refresh_axis(Particles& p, int axis) {
   const auto tag = [](int side) { return 2 + side; };
   for (int side = 0; side < 2; ++side) {
     Leg& leg = legs_[axis][side];
+    const auto& sent = all ? leg.sent : leg.sent_few;
+    const auto& ghosts = all ? leg.ghosts : leg.ghosts_few;
     Vec3 shift;
     shift[axis] = leg.shift;
     if (leg.to == comm_.rank()) {  // its own image
-      for (std::size_t k = 0; k < leg.sent.size(); ++k) {
-        const std::uint32_t i = leg.sent[k];
-        p.position[leg.first + k] = p.position[i] + shift;
-        p.velocity[leg.first + k] = p.velocity[i];
-        p.angular_velocity[leg.first + k] = p.angular_velocity[i];
+      for (std::size_t k = 0; k < sent.size(); ++k) {
+        const std::uint32_t i = sent[k];
+        p.position[ghosts[k]] = p.position[i] + shift;
+        p.velocity[ghosts[k]] = p.velocity[i];
+        p.angular_velocity[ghosts[k]] = p.angular_velocity[i];
       }
       continue;
     }
-    leg.in.resize(width * leg.count);
+    leg.in.resize(width * ghosts.size());
     MPI_Irecv(leg.in.data(), static_cast<int>(leg.in.size()), MPI_DOUBLE, rank_or_null(leg.from),
               tag(side), comm_.handle(), &requests[2 * side]);
-    leg.out.resize(width * leg.sent.size());
+    leg.out.resize(width * sent.size());
     Real* to = leg.out.data();
-    for (const std::uint32_t i : leg.sent) {
+    for (const std::uint32_t i : sent) {
       for (const Vec3& v : {p.position[i] + shift, p.velocity[i], p.angular_velocity[i]}) {
         to[0] = v.x, to[1] = v.y, to[2] = v.z;
         to += 3;
@@ -289,10 +325,11 @@ void Exchange::refresh_axis(Particles& p, int axis) {
       continue;
     }
     const Real* from = leg.in.data();
-    for (std::size_t k = leg.first; k < leg.first + leg.count; ++k, from += width) {
+    for (const std::uint32_t k : all ? leg.ghosts : leg.ghosts_few) {
       p.position[k] = {from[0], from[1], from[2]};
       p.velocity[k] = {from[3], from[4], from[5]};
       p.angular_velocity[k] = {from[6], from[7], from[8]};
+      from += width;
     }
   }
 }

@@ -29,8 +29,13 @@ class Exchange {
   /// surface to surface. @throws InputError when a block is thinner than the largest reach
   void make_ghosts(Particles& particles, Real reach);
 
-  /// Brings position, velocity and angular velocity of the ghosts up to date.
-  void refresh(Particles& particles);
+  /// Brings position, velocity and angular velocity of the ghosts up to date: of those that were
+  /// asked for by restrict_to since make_ghosts, or of all.
+  void refresh(Particles& particles, bool all);
+
+  /// From now on refresh only ghosts that `needed` marks (one per particle, owned ones are ignored),
+  /// and those that they are copied from. Neighbours are told.
+  void restrict_to(std::vector<std::uint8_t> needed, std::size_t owned);
 
   [[nodiscard]] Index messages() const { return messages_; }
 
@@ -40,17 +45,17 @@ class Exchange {
   struct Leg {
     int to = -1;  ///< rank, or -1 for a border that nothing crosses
     int from = -1;
-    Real shift =
-        0;  ///< [m] added to the position of what is sent: +-length across a periodic border
+    Real shift = 0;  ///< [m] added to positions sent: +-length across a periodic border
     std::vector<std::uint32_t> sent;
-    std::size_t first = 0;  ///< ghosts that it delivers
-    std::size_t count = 0;
+    std::vector<std::uint32_t> ghosts;    ///< that it delivers, in the same order
+    std::vector<std::uint32_t> sent_few;  ///< of these, what was asked for
+    std::vector<std::uint32_t> ghosts_few;
     std::vector<Real> out;
     std::vector<Real> in;
   };
   void check_widths(Real range) const;
   bool move_along(int axis, Particles& particles, KeptContacts& kept);
-  void refresh_axis(Particles& particles, int axis);
+  void refresh_axis(Particles& particles, int axis, bool all);
 
   par::Communicator comm_;
   Box box_;

@@ -125,7 +125,7 @@ CreepReport System::creep(Real dt, Real allowed_approach) {
     particles_.clear_forces();
     contact_forces({before, true});
     balance(particles_);
-    exchange_.refresh(particles_);
+    exchange_.refresh(particles_, false);
     const Real step = creep_limit(left, allowed_approach);
     const Real fastest = move(particles_, step, step / dt);
     walls_.advance(step);

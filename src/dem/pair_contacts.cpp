@@ -118,6 +118,12 @@ void PairContacts::narrow(const Particles& p, Real window) {
   near_.now.resize(near_.pair.size());
 }
 
+std::vector<std::uint8_t> PairContacts::marked_near(std::size_t particles) const {
+  std::vector<std::uint8_t> marks(particles, 0);
+  for_near([&marks](std::uint32_t i, std::uint32_t j) { marks[i] = marks[j] = 1; });
+  return marks;
+}
+
 void PairContacts::find_touching(const Particles& p) {
   const Real* x = p.position.empty() ? nullptr : &p.position[0].x;
   const std::int32_t* first = near_.first.data();

@@ -62,6 +62,9 @@ class PairContacts {
     }
   }
 
+  /// One per particle: whether it is in a pair of the narrowed list.
+  [[nodiscard]] std::vector<std::uint8_t> marked_near(std::size_t particles) const;
+
   /// Calls visit(i, j, history as i sees it) for every pair that touched at the last evaluation.
   template <typename Visit>
   void for_touching(const Visit& visit) const {

@@ -129,11 +129,12 @@ void System::update_lists(Real fastest, Real dt) {
     build_lists(true);
     return;
   }
-  exchange_.refresh(particles_);
-  work_.messages = exchange_.messages();
-  if (2 * moved_narrow_ > window_) {
+  const bool narrow = 2 * moved_narrow_ > window_;
+  exchange_.refresh(particles_, narrow);
+  if (narrow) {
     narrow_lists();
   }
+  work_.messages = exchange_.messages();
 }
 
 void System::contact_forces(const Evaluation& evaluation) {
@@ -195,8 +196,8 @@ void System::build_lists(bool sort) {
   lists_hold_ = true;
   ++work_.rebuilds;
   work_.listed_pairs = static_cast<Index>(pairs_.list().size());
-  work_.messages = exchange_.messages();
   narrow_lists();
+  work_.messages = exchange_.messages();
 }
 
 void System::narrow_lists() {
@@ -204,6 +205,7 @@ void System::narrow_lists() {
   window_ = std::min(left, std::max(2 * narrow_steps * moved_per_step_, skin_ / 16));
   moved_narrow_ = 0;
   pairs_.narrow(particles_, window_);
+  exchange_.restrict_to(pairs_.marked_near(particles_.size()), particles_.owned);
   ++work_.narrowings;
 }
 
