@@ -29,6 +29,9 @@ Place place_in(const Node& item, const std::string& name) {
 void check_species(const Case& subject, std::size_t index, const Node& given) {
   const Particles& p = subject.particles[index];
   const Node& item = item_node(given, "particles", index);
+  if (p.name.empty()) {
+    fail(place_in(item, "name"), "is empty", "name = \"latex\"");
+  }
   const auto same_name = [&](const Particles& other) { return other.name == p.name; };
   if (std::count_if(subject.particles.begin(), subject.particles.end(), same_name) > 1) {
     fail(item.place, fmt::format("there are two species called {}", toml_string(p.name)),

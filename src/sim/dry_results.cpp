@@ -101,7 +101,7 @@ Json summarise_dry(const DryRun& run, const Ending& ending, const io::Provenance
   return json;
 }
 
-void draw_dry(const std::string& folder, const DryRun& run, const io::Provenance& provenance) {
+void draw_dry(const std::string& path, const DryRun& run, const io::Provenance& provenance) {
   const std::vector<Real> all = gather_discs(run);
   on_root(run.comm, [&] {
     std::vector<report::Disc> discs;
@@ -119,8 +119,7 @@ void draw_dry(const std::string& folder, const DryRun& run, const io::Provenance
                                      .quantity = "speed",
                                      .unit = "m/s",
                                      .colormap = report::Colormap::speed};
-    report::write_picture(folder + "/particles.png",
-                          report::draw_particles(std::move(discs), scene, style), provenance,
+    report::write_picture(path, report::draw_particles(std::move(discs), scene, style), provenance,
                           style.title);
   });
 }

@@ -21,9 +21,9 @@ struct Ending {
 [[nodiscard]] Json summarise_dry(const DryRun& run, const Ending& ending,
                                  const io::Provenance& provenance);
 
-/// particles.png: coloured by speed, seen along y, or along z when the box is thin there.
+/// A picture of the particles: coloured by speed, seen along y, or along z when the box is thin there.
 /// Collective.
-void draw_dry(const std::string& folder, const DryRun& run, const io::Provenance& provenance);
+void draw_dry(const std::string& path, const DryRun& run, const io::Provenance& provenance);
 
 /// The numbers of the run before it starts, in lines for a person. Collective.
 [[nodiscard]] std::vector<std::string> describe_dry(const DryRun& run,

@@ -19,30 +19,33 @@
 namespace porefines::sim {
 namespace {
 
-/// series.csv and tracks.csv; open on rank 0 alone.
-struct Tables {
+/// Where results go; the tables are open on rank 0 alone.
+struct Sink {
+  std::string folder;
+  io::Provenance provenance;
   std::optional<io::SeriesWriter> series;
   std::optional<io::SeriesWriter> tracks;
 };
 
-Tables open_tables(const std::string& folder, const DryRun& run) {
-  Tables tables;
+Sink open_sink(const std::string& folder, const DryRun& run, const io::Provenance& provenance) {
+  Sink sink{folder, provenance, {}, {}};
   on_root(run.comm, [&] {
-    tables.series.emplace(folder + "/series.csv", series_columns());
+    sink.series.emplace(folder + "/series.csv", series_columns());
     if (const auto* output = config::find_output(run.the_case, config::OutputKind::tracks)) {
-      tables.tracks.emplace(folder + "/tracks.csv", track_columns(output->forces));
+      sink.tracks.emplace(folder + "/tracks.csv", track_columns(output->forces));
     }
   });
-  return tables;
+  return sink;
 }
 
 /// Is the next sample of this output now?
 bool is_due(const DryRun& run, config::OutputKind kind, Index written) {
   const Real due = static_cast<Real>(written) * sample_interval(run.the_case, kind);
-  return run.state.time >= due * (1 - 1e-12);
+  return is_sampled(run.the_case, kind) && run.state.time >= due * (1 - 1e-12);
 }
 
-void write_due(DryRun& run, Tables& tables, const std::string& left) {
+/// @param left  rows of those that left, for tracks.csv
+void write_due(DryRun& run, Sink& sink, const std::string& left) {
   std::string rows = left;
   if (is_due(run, config::OutputKind::tracks, run.state.tracked)) {
     rows += track_rows(run);
@@ -54,13 +57,18 @@ void write_due(DryRun& run, Tables& tables, const std::string& left) {
     ++run.state.samples;
   }
   on_root(run.comm, [&] {
-    if (tables.tracks && !rows.empty()) {
-      tables.tracks->append_lines(rows);
+    if (sink.tracks && !rows.empty()) {
+      sink.tracks->append_lines(rows);
     }
     if (now) {
-      tables.series->append(series_row(run, *now));
+      sink.series->append(series_row(run, *now));
     }
   });
+  if (is_due(run, config::OutputKind::pictures, run.state.drawn)) {
+    draw_dry(fmt::format("{}/particles_{:05}.png", sink.folder, run.state.drawn), run,
+             sink.provenance);
+    ++run.state.drawn;
+  }
 }
 
 /// What ended the loop.
@@ -71,12 +79,12 @@ struct Outcome {
 };
 
 /// The rows of the moment, the loop, and why it ended.
-Outcome simulate(DryRun& run, Tables& tables, const Stopwatch& watch) {
+Outcome simulate(DryRun& run, Sink& sink, const Stopwatch& watch) {
   std::optional<Progress> progress;
   if (run.comm.is_root()) {
     progress.emplace("run");
   }
-  write_due(run, tables, "");
+  write_due(run, sink, "");
   const Real end = run.the_case.run.end_time;
   while (run.state.time < end) {
     const Real start = run.state.time;
@@ -85,8 +93,8 @@ Outcome simulate(DryRun& run, Tables& tables, const Stopwatch& watch) {
     inject_due(run, start, run.state.time);  // through inlets
     run.state.ledger.require_balance(run.comm.sum(static_cast<Index>(run.system.particles().owned)),
                                      run.state.time);
-    require_healthy(run);          // overlaps within their bound
-    write_due(run, tables, left);  // tracks, series
+    require_healthy(run);        // overlaps within their bound
+    write_due(run, sink, left);  // tracks, series
     if (progress) {
       progress->update(run.state.time / end);
     }
@@ -106,11 +114,11 @@ Outcome simulate(DryRun& run, Tables& tables, const Stopwatch& watch) {
 }
 
 /// The same, with errors as an ending: what there is will be written before they are reported.
-Outcome simulate_safely(DryRun& run, Tables& tables, const Stopwatch& watch) {
+Outcome simulate_safely(DryRun& run, Sink& sink, const Stopwatch& watch) {
   std::string error;
   Outcome outcome;
   try {
-    outcome = simulate(run, tables, watch);
+    outcome = simulate(run, sink, watch);
   } catch (const RunError& failure) {
     error = failure.what();
   }
@@ -123,7 +131,7 @@ Outcome simulate_safely(DryRun& run, Tables& tables, const Stopwatch& watch) {
 void write_results(const std::string& folder, const DryRun& run, const Outcome& outcome,
                    const io::Provenance& provenance) {
   if (config::find_output(run.the_case, config::OutputKind::pictures) != nullptr) {
-    draw_dry(folder, run, provenance);
+    draw_dry(folder + "/particles.png", run, provenance);
   }
   const Json summary = summarise_dry(run, outcome.ending, provenance);
   on_root(run.comm, [&] { write_file(folder + "/summary.json", summary.text()); });
@@ -164,15 +172,15 @@ int run_dry(const config::Case& the_case, const RunOptions& options,
   const std::string& folder = options.output_dir;
   if (options.dry_run) {
     on_root(comm, [&] { make_folder(folder); });
-    draw_dry(folder, run, provenance);
+    draw_dry(folder + "/particles.png", run, provenance);
     Log log("", comm.is_root() ? &std::cout : nullptr);
     say(log, comm, provenance, story);
     return exit_code::done;
   }
   Log log = open_folder(folder, the_case, comm);
   say(log, comm, provenance, story);
-  Tables tables = open_tables(folder, run);
-  Outcome outcome = simulate_safely(run, tables, watch);
+  Sink sink = open_sink(folder, run, provenance);
+  Outcome outcome = simulate_safely(run, sink, watch);
   outcome.ending.wall_time = watch.seconds();
   write_results(folder, run, outcome, provenance);
   say_result(log, run, outcome, folder);

@@ -83,11 +83,13 @@ Scales scales_of(const DryRun& run) {
 
 /// [s] of the next sample of any output after now, or the end.
 Real next_sample(const DryRun& run) {
+  using enum config::OutputKind;
   Real next = run.the_case.run.end_time;
-  for (const auto& [kind, written] : {std::pair{config::OutputKind::summary, run.state.samples},
-                                      {config::OutputKind::tracks, run.state.tracked}}) {
-    if (config::find_output(run.the_case, kind) != nullptr || kind == config::OutputKind::summary) {
-      const auto at = static_cast<Real>(std::max<Index>(written, 1));  // the first is written at 0
+  for (const auto& [kind, written] : {std::pair{summary, run.state.samples},
+                                      {tracks, run.state.tracked},
+                                      {pictures, run.state.drawn}}) {
+    const auto at = static_cast<Real>(std::max<Index>(written, 1));  // the first is written at 0
+    if (is_sampled(run.the_case, kind)) {
       next = std::min(next, at * sample_interval(run.the_case, kind));
     }
   }

@@ -33,6 +33,7 @@ struct DryState {
   EnergyBook energy;
   Index samples = 0;  ///< rows of series.csv written
   Index tracked = 0;  ///< samples of tracks.csv written
+  Index drawn = 0;    ///< pictures drawn on the way
 };
 
 /// A dry run in progress.

@@ -149,6 +149,12 @@ std::vector<Real> series_row(const DryRun& run, const Moment& now) {
           run.state.step};
 }
 
+bool is_sampled(const config::Case& the_case, config::OutputKind kind) {
+  const config::Output* output = config::find_output(the_case, kind);
+  return kind == config::OutputKind::summary ||
+         (output != nullptr && (kind == config::OutputKind::tracks || output->every > 0));
+}
+
 Real sample_interval(const config::Case& the_case, config::OutputKind kind) {
   constexpr Real samples = 100;
   const config::Output* output = config::find_output(the_case, kind);

@@ -25,6 +25,10 @@ namespace porefines::sim {
 [[nodiscard]] std::vector<std::string> series_columns();
 [[nodiscard]] std::vector<Real> series_row(const DryRun& run, const Moment& now);
 
+/// Is there more of this than at the end? Series always, tracks when asked for, pictures when they
+/// say how often.
+[[nodiscard]] bool is_sampled(const config::Case& the_case, config::OutputKind kind);
+
 /// [s] from sample to sample: what the case says, or a hundredth of the run.
 [[nodiscard]] Real sample_interval(const config::Case& the_case, config::OutputKind kind);
 

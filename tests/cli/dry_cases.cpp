@@ -172,10 +172,15 @@ TEST(DryRun, says_when_the_rate_cannot_be_met) {
   const test::Scratch folder;
   write_file(folder / "case.toml", injected_case);
   const auto result = test::porefines_in(
-      folder.path(), {"run", "case.toml", "injection.rate=1 MHz", "run.end_time=2 ms"});
+      folder.path(), {"run", "case.toml", "injection.rate=1 MHz", "run.end_time=2 ms",
+                      "output=[{ kind = \"pictures\", every = \"1 ms\" }]"});
   ASSERT_EQ(result.exit_code, 0) << result.output;
   EXPECT_GT(number(read_text(folder / "out/summary.json"), "particles_waiting"), 1000);
   EXPECT_NE(result.output.find("found no room at the inlet"), std::string::npos) << result.output;
+  for (const std::string picture : {"_00000", "_00001", "_00002", ""}) {
+    EXPECT_TRUE(std::filesystem::exists(folder / ("out/particles" + picture + ".png"))) << picture;
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/tracks.csv")) << "not asked for";
 }
 
 TEST(DryRun, a_dry_run_tells_the_numbers_and_moves_nothing) {
