@@ -136,6 +136,10 @@ void check_shape(const Shape& shape, const Node& item) {
   if (shape.kind == mesh && shape.source.empty()) {
     fail(place_in(item, "source"), "is missing", "source = \"hopper.stl\"");
   }
+  if (shape.kind == mesh && shape.velocity != Triple{}) {
+    fail(place_in(item, "velocity"), "of a mesh is not available in this version",
+         "planes, cylinders and spheres may move");
+  }
   const Triple zero{};
   if ((shape.kind == plane && shape.normal == zero) ||
       (shape.kind == cylinder && shape.axis == zero)) {

@@ -26,7 +26,7 @@ namespace porefines::sim {
 [[nodiscard]] Real expected_speed(const config::Case& the_case, const Vec3& box);
 
 /// Everything but the particles: box, walls and grains, materials, law, gravity.
-/// @throws InputError  grains or walls of a kind that particles cannot touch yet
+/// @throws InputError  walls that cannot be read
 [[nodiscard]] dem::Settings make_settings(const config::Case& the_case, const geom::Sample& sample);
 
 /// The injections of the case.

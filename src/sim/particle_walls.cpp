@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "core/error.hpp"
 #include "sim/beds.hpp"
 #include "sim/particle_setup.hpp"
 
@@ -31,12 +30,28 @@ dem::Primitives primitives_of(const config::Case& the_case) {
         walls.emplace_back(dem::Ball{vec(shape.point), shape.radius, shape.inside, motion});
         break;
       case config::ShapeKind::mesh:
-        throw InputError(
-            "[[surface]] kind = \"mesh\": particles cannot touch meshes yet\n"
-            "build the wall of planes, cylinders and spheres");
+        break;  // a surface of its own
     }
   }
   return dem::checked(std::move(walls));
+}
+
+/// STL files of [[surface]], put where `point` says.
+void add_meshes(const config::Case& the_case, dem::Surfaces& out) {
+  for (const config::Shape& shape : the_case.surface) {
+    if (shape.kind != config::ShapeKind::mesh) {
+      continue;
+    }
+    std::vector<geom::Triangle> triangles = dem::read_stl(shape.source, shape.unit);
+    for (geom::Triangle& triangle : triangles) {
+      for (auto& corner : triangle) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          corner[axis] += static_cast<float>(shape.point[axis]);
+        }
+      }
+    }
+    out.emplace_back(dem::Fixed(dem::make_mesh(triangles, 2 * largest_radius(the_case))));
+  }
 }
 
 /// The grains of the sample, good for spheres of up to `largest` [m] radius and as much reach.
@@ -87,6 +102,7 @@ Walls make_walls(const config::Case& the_case, const geom::Sample& sample) {
   add(dem::box_faces({}, sample.box.size, rough), false);
   add(dem::box_faces({}, sample.box.size, faces.smooth), true);
   add(primitives_of(the_case), false);
+  add_meshes(the_case, walls.surfaces);
   add_grains(the_case, sample, walls.surfaces);
   walls.smooth.resize(walls.surfaces.size(), false);
   return walls;

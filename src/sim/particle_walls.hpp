@@ -18,7 +18,7 @@ struct Walls {
 /// Faces of the box, [[surface]] and the grains of the geometry, whole on every rank.
 ///
 /// Grains of an image are the smooth surface of its signed distance; the flow sees the same.
-/// @throws InputError  walls of a kind that particles cannot touch yet
+/// @throws InputError  an STL file that cannot be read
 [[nodiscard]] Walls make_walls(const config::Case& the_case, const geom::Sample& sample);
 
 /// [m] radius of the largest particle that the case may hold.

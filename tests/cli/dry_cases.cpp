@@ -254,6 +254,41 @@ count = 60
   EXPECT_LT(number(summary, "max_overlap"), 0.01);
 }
 
+TEST(DryRun, particles_rest_on_a_mesh) {
+  const test::Scratch folder;
+  const auto facet = [](const std::string& a, const std::string& b, const std::string& c) {
+    return "facet normal 0 0 1\nouter loop\nvertex " + a + "\nvertex " + b + "\nvertex " + c +
+           "\nendloop\nendfacet\n";
+  };
+  write_file(folder / "plate.stl", "solid plate\n" + facet("-1 -1 0", "3 -1 0", "3 3 0") +
+                                       facet("-1 -1 0", "3 3 0", "-1 3 0") + "endsolid plate\n");
+  write_file(folder / "list.csv", "x_m,y_m,z_m,diameter_m\n1e-3,1e-3,0.7e-3,0.2e-3\n");
+  write_file(folder / "case.toml", R"(gravity = "9.81 m/s^2"
+[run]
+end_time = "60 ms"
+[geometry]
+kind = "empty"
+size = ["2 mm", "2 mm", "2 mm"]
+[[particles]]
+source = "list.csv"
+young = "1 MPa"
+[[surface]]
+kind = "mesh"
+source = "plate.stl"
+unit = "1 mm"
+point = ["0 mm", "0 mm", "0.5 mm"]
+[contact]
+restitution = 0.3
+max_overlap = 0.05
+)");
+  const auto result = test::porefines_in(folder.path(), {"run", "case.toml"});
+  ASSERT_EQ(result.exit_code, 0) << result.output;
+  const Csv tracks = read_csv(folder / "out/tracks.csv");
+  // At rest on the plate: half a millimetre up, and sunk in by less than 0.1 % of its diameter.
+  EXPECT_NEAR(tracks.at(tracks.rows.size() - 1, "z_m"), 0.6e-3, 0.2e-6);
+  EXPECT_NEAR(tracks.at(tracks.rows.size() - 1, "w_m_s"), 0, 1e-4);
+}
+
 TEST(DryRun, a_limit_on_wall_time_ends_it_with_its_results) {
   const test::Scratch folder;
   write_file(folder / "case.toml", injected_case);
