@@ -34,6 +34,63 @@ class Surroundings {
     distance_ = gradient > 0 ? (at_end ? 2 : 1) / (gradient * middle_weight_) : 0;
   }
 
+  /// Mean of W M over the fine faces in the coarse one's plane.
+  [[nodiscard]] Real plane_mean() const {
+    Real sum = 0;
+    for (int q = 0; q < 2; ++q) {
+      for (int p = 0; p < 2; ++p) {
+        const Real share = share_[0][p] * share_[1][q];
+        Int3 face{};
+        face[n_] = middle_;
+        face[across_[0]] = first_[0] + p;
+        face[across_[1]] = first_[1] + q;
+        sum += share > 0 ? share * conductivity(n_, face) : 0;
+      }
+    }
+    return sum;
+  }
+
+  [[nodiscard]] FaceNetwork network() const {
+    FaceNetwork net;
+    for (int side = 0; side < 2; ++side) {
+      for (int q = 0; q < 2; ++q) {
+        for (int p = 0; p < 2; ++p) {
+          add_cell(net, side, p, q);
+        }
+      }
+    }
+    return net;
+  }
+
+  /// Conductance if every column of cells through the face is open: columns side by side, whose
+  /// pressures differ too little to matter across. 0 if one is not.
+  [[nodiscard]] Real open_columns() const {
+    Real total = 0;
+    for (int q = 0; q < 2; ++q) {
+      for (int p = 0; p < 2; ++p) {
+        Int3 face{};
+        face[across_[0]] = first_[0] + p;
+        face[across_[1]] = first_[1] + q;
+        const Real share = share_[0][p] * share_[1][q];
+        if (share == 0) {
+          continue;
+        }
+        Real resistance = 0;
+        for (int layer = -1; layer <= 1; ++layer) {
+          const Real part = layer == 0 ? middle_weight_ : half_[layer < 0 ? 0 : 1];
+          const Real k = part > 0 ? conductivity(n_, with(face, n_, middle_ + layer)) : 1;
+          if (k <= 0) {
+            return 0;
+          }
+          resistance += part / k;
+        }
+        total += share / resistance;
+      }
+    }
+    return total;
+  }
+
+ private:
   void add_cell(FaceNetwork& net, int side, int p, int q) const {
     const Real share = share_[0][p] * share_[1][q];
     if (share == 0) {
@@ -61,7 +118,6 @@ class Surroundings {
     }
   }
 
- private:
   static Int3 with(Int3 cell, int axis, int index) {
     cell[axis] = index;
     return cell;
@@ -72,7 +128,11 @@ class Surroundings {
   [[nodiscard]] Real gradient_at(int t, int i) const {
     return fine_.axis[t].gradient[i + fine_.axis[t].offset];
   }
-  [[nodiscard]] Real width(int t, int i) const { return 1 / divergence_at(t, i); }
+  /// 1 on a periodic axis of one cell, which has no divergence: it cancels.
+  [[nodiscard]] Real width(int t, int i) const {
+    const Real divergence = divergence_at(t, i);
+    return divergence > 0 ? 1 / divergence : 1;
+  }
   [[nodiscard]] Real conductivity(int component, const Int3& face) const {
     return fine_.weighted_mobility(component, fine_.block.at(face[0], face[1], face[2]));
   }
@@ -105,26 +165,19 @@ class Surroundings {
 
 FaceNetwork network_of(const Level& fine, const std::array<AxisTransfer, 3>& axis, int component,
                        const Int3& coarse_face) {
-  const Surroundings around(fine, axis, component, coarse_face);
-  FaceNetwork net;
-  for (int side = 0; side < 2; ++side) {
-    for (int q = 0; q < 2; ++q) {
-      for (int p = 0; p < 2; ++p) {
-        around.add_cell(net, side, p, q);
-      }
-    }
-  }
-  return net;
+  return Surroundings(fine, axis, component, coarse_face).network();
 }
 
 float coarse_mobility(const Level& fine, const std::array<AxisTransfer, 3>& axis, int component,
                       const Int3& coarse_face) {
-  const FaceNetwork net = network_of(fine, axis, component, coarse_face);
-  Real plane = 0;
-  for (const Real k : net.middle) {
-    plane += k * axis[component].face_middle[coarse_face[component]];
+  const Surroundings around(fine, axis, component, coarse_face);
+  const Real plane = around.plane_mean();
+  if (plane == 0) {
+    return 0;
   }
-  return plane > 0 ? static_cast<float>(std::sqrt(plane * effective_conductance(net))) : 0.0F;
+  const Real columns = around.open_columns();
+  const Real through = columns > 0 ? columns : effective_conductance(around.network());
+  return static_cast<float>(std::sqrt(plane * through));
 }
 
 }  // namespace porefines::flow

@@ -140,7 +140,7 @@ void Hierarchy::build() {
 void Hierarchy::solve_mobility() {
   constexpr int batch = 8;
   constexpr int most_batches = 24;
-  constexpr Real little = 0.01;
+  constexpr Real little = 0.05;
   Level& fine = finest();
   mobility_sweeps_ = 0;
   for (int c = 0; c < 3; ++c) {

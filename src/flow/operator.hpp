@@ -46,14 +46,17 @@ class Operator {
   template <typename Visit>
   void for_each(const Visit& visit) const {
     for (std::size_t line = 0; line < lines_.size(); ++line) {
-      const Line& q = lines_[line];
       for (int c = 0; c < 4; ++c) {
-        for (int l = 0; l < grid::line_width; ++l) {
-          if (owned_and_active(c, q.i + l, q.j, q.k)) {
-            visit(c, q.i + l, q.j, q.k, line * packed_width + c * grid::line_width + l);
-          }
-        }
+        visit_line(line, c, [&](int i, int j, int k, std::size_t at) { visit(c, i, j, k, at); });
       }
+    }
+  }
+
+  /// The same for one component: visit(i, j, k, position).
+  template <typename Visit>
+  void for_each_of(int component, const Visit& visit) const {
+    for (std::size_t line = 0; line < lines_.size(); ++line) {
+      visit_line(line, component, visit);
     }
   }
 
@@ -65,6 +68,15 @@ class Operator {
   struct Line {
     int i, j, k;
   };
+  template <typename Visit>
+  void visit_line(std::size_t line, int component, const Visit& visit) const {
+    const Line& q = lines_[line];
+    for (int l = 0; l < grid::line_width; ++l) {
+      if (owned_and_active(component, q.i + l, q.j, q.k)) {
+        visit(q.i + l, q.j, q.k, line * packed_width + component * grid::line_width + l);
+      }
+    }
+  }
   /// fields = scale * v on the active lines.
   template <typename T>
   void scatter(const std::array<Floats*, 4>& fields, const Packed<T>& v, double scale);

@@ -117,9 +117,9 @@ Packed<float> StokesSolver::right_hand_side(const Drive& drive) const {
 Packed<double> StokesSolver::first_guess(const Drive& drive) const {
   Packed<double> x(operator_->size(), 0.0);
   const Real unit = scale_ * spacing_.x;
-  operator_->for_each([&](int c, int i, int j, int k, std::size_t at) {
+  operator_->for_each_of(3, [&](int i, int j, int k, std::size_t at) {
     const Int3 index{i, j, k};
-    for (int a = 0; c == 3 && a < 3; ++a) {
+    for (int a = 0; a < 3; ++a) {
       if (pressure_pair(a)) {
         const Real t = (global(block(), a, index[a]) + 0.5) / block().global[a];
         x[at] = ((1 - t) * drive.face_value[2 * a] + t * drive.face_value[2 * a + 1]) / unit;
@@ -195,11 +195,9 @@ std::vector<Real> StokesSolver::plane_fluxes(int axis) const {
   std::vector<Real> flux(static_cast<std::size_t>(block().global[axis]) + 1, 0);
   const Real unit = scale_ * spacing_.x * spacing_.x / viscosity_ *
                     (spacing_.x * spacing_.y * spacing_.z / spacing_[axis]);
-  operator_->for_each([&](int c, int i, int j, int k, std::size_t at) {
-    if (c == axis) {
-      flux[global(block(), axis, Int3{i, j, k}[axis])] +=
-          level.weight[c][block().at(i, j, k)] * x_[at] * unit;
-    }
+  operator_->for_each_of(axis, [&](int i, int j, int k, std::size_t at) {
+    flux[global(block(), axis, Int3{i, j, k}[axis])] +=
+        level.weight[axis][block().at(i, j, k)] * x_[at] * unit;
   });
   comm_.sum(flux);
   if (boundaries_.periodic(axis)) {
@@ -216,12 +214,10 @@ std::vector<Real> StokesSolver::plane_fluxes(int axis) const {
 std::vector<Real> StokesSolver::layer_pressures(int axis) const {
   const auto layers = static_cast<std::size_t>(block().global[axis]);
   std::vector<Real> sums(2 * layers, 0);
-  operator_->for_each([&](int c, int i, int j, int k, std::size_t at) {
-    if (c == 3) {
-      const int layer = global(block(), axis, Int3{i, j, k}[axis]);
-      sums[layer] += x_[at] * scale_ * spacing_.x;
-      sums[layers + layer] += 1;
-    }
+  operator_->for_each_of(3, [&](int i, int j, int k, std::size_t at) {
+    const int layer = global(block(), axis, Int3{i, j, k}[axis]);
+    sums[layer] += x_[at] * scale_ * spacing_.x;
+    sums[layers + layer] += 1;
   });
   comm_.sum(sums);
   std::vector<Real> mean(layers, 0);
@@ -279,7 +275,7 @@ StokesSolver::CellFields StokesSolver::cell_fields() {
 
 Index StokesSolver::fluid_cells() const {
   Index count = 0;
-  operator_->for_each([&](int c, int, int, int, std::size_t) { count += c == 3 ? 1 : 0; });
+  operator_->for_each_of(3, [&](int, int, int, std::size_t) { ++count; });
   return comm_.sum(count);
 }
 
