@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MPL-2.0
-#include <filesystem>
-
 #include <fmt/format.h>
 
+#include "config/item_key.hpp"
 #include "config/key.hpp"
 
 namespace porefines::config {
@@ -15,21 +14,10 @@ constexpr Range grey_levels{0, 65535};
 constexpr Range image_edge{1, 1 << 20};
 constexpr Range pixels{0, 1 << 30};
 
-/// Relative to the folder of the case file; on the command line, to where the user is.
-std::string read_path(const Case& c, const Node& node) {
-  namespace fs = std::filesystem;
-  const fs::path given = read_text(node);
-  if (given.empty()) {
-    fail(node.place, "is empty, name a file");
-  }
-  const fs::path folder = node.place.command_line ? fs::path() : fs::path(c.path).parent_path();
-  return fs::absolute(folder / given).lexically_normal();
-}
-
 Key path_key(const std::string& path, std::string Geometry::*member, const std::string& absent,
              const std::string& doc) {
   Key key = text_key(path, &Case::geometry, member, absent, doc);
-  key.read = [=](Case& c, const Node& node) { c.geometry.*member = read_path(c, node); };
+  key.read = [=](Case& c, const Node& node) { c.geometry.*member = read_path(node, c); };
   return key;
 }
 

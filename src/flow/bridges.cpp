@@ -43,10 +43,13 @@ class BridgeSearch {
     std::int8_t next;
   };
 
+  /// The face itself, not its copy behind a periodic border.
   [[nodiscard]] std::ptrdiff_t face_of(const Int3& cell, int direction) const {
     const int a = direction / 2;
-    const std::ptrdiff_t at = level_.block.at(cell[0], cell[1], cell[2]);
-    return direction % 2 == 0 ? at : at + level_.block.stride(a);
+    Int3 face = cell;
+    face[a] += direction % 2;
+    face[a] = wraps_[a] && face[a] == level_.block.n[a] ? 0 : face[a];
+    return level_.block.at(face[0], face[1], face[2]);
   }
   [[nodiscard]] bool is_open(const Int3& cell, int direction) const {
     return level_.inverse_diagonal[direction / 2][face_of(cell, direction)] != 0;
