@@ -19,7 +19,7 @@ template <class Grains>
 struct Fixed {
   std::shared_ptr<const Grains> grains;
 
-  Fixed(Grains given) : grains(std::make_shared<const Grains>(std::move(given))) {}
+  explicit Fixed(Grains given) : grains(std::make_shared<const Grains>(std::move(given))) {}
 };
 
 template <class Grains>

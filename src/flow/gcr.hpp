@@ -34,8 +34,8 @@ struct SolveReport {
 /// The Stokes operator is indefinite, so (r, q) may vanish and the step with it (GCR breaks down).
 /// After a step that gained little, the cycle is applied to the last q instead of r, as in
 /// Orthodir: the search space grows all the same.
-/// A tight rock has a few throats, one voxel wide, that a cycle hardly touches. Each costs one
-/// eigenvalue far from the others; as many kept directions take them out of the way.
+/// Each slow mode that a cycle leaves behind costs about one kept direction. Coarse grids that see the
+/// throats (coarse_mobility) leave few, so most_directions is small.
 /// x and r are double; directions are float. Since rounding of q lets r drift from b - K x by
 /// about 1e-7, the true residual is recomputed before convergence is claimed and, where needed,
 /// the iteration goes on from it: any tolerance down to 1e-12 can be asked for.

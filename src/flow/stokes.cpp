@@ -68,47 +68,69 @@ int global(const grid::Block& b, int axis, int local) {
   return local + b.start[axis];
 }
 
+/// The drive in units of the solve.
+struct ScaledDrive {
+  const Drive& drive;
+  Real force = 1;     ///< [Pa/m]
+  Real pressure = 1;  ///< [Pa]
+  Real velocity = 1;  ///< [m/s]
+};
+
+/// What drives the momentum of a face: the force, and the value behind a pressure or velocity face.
+float face_drive(const Level& level, const Boundaries& boundaries, const ScaledDrive& d, int c,
+                 int local, std::ptrdiff_t cell) {
+  const auto& axis = level.axis[c];
+  const int here = global(level.block, c, local);
+  const int total = level.block.global[c];
+  const Real weight = level.weight[c][cell];
+  const Real gradient = axis.gradient[local + axis.offset];
+  auto sum = static_cast<float>(weight * d.drive.force[c] / d.force);
+  for (const bool high : {false, true}) {
+    const FaceKind kind = boundaries.at(c, high);
+    const Real value = d.drive.face_value[2 * c + (high ? 1 : 0)];
+    if (kind == FaceKind::pressure && here == (high ? total : 0)) {
+      sum += static_cast<float>((high ? -1 : 1) * weight * gradient * value / d.pressure);
+    } else if (kind == FaceKind::velocity && here == (high ? total - 1 : 1)) {
+      const auto& e = high ? axis.face_high : axis.face_low;
+      sum += static_cast<float>(e[local + axis.offset] * value / d.velocity);
+    }
+  }
+  return sum;
+}
+
+/// Inflow through velocity faces along an axis, where the face behind is open.
+float cell_drive(const Level& level, const Boundaries& boundaries, const ScaledDrive& d, int a,
+                 int local, std::ptrdiff_t cell) {
+  const int here = global(level.block, a, local);
+  float sum = 0;
+  for (const bool high : {false, true}) {
+    const bool outermost = here == (high ? level.block.global[a] - 1 : 0);
+    const std::ptrdiff_t inner = cell + (high ? 0 : level.block.stride(a));
+    if (boundaries.at(a, high) == FaceKind::velocity && outermost &&
+        level.inverse_diagonal[a][inner] != 0) {
+      const Real value = d.drive.face_value[2 * a + (high ? 1 : 0)] / d.velocity;
+      sum += (high ? -1 : 1) * value * level.axis[a].divergence[local + level.axis[a].offset];
+    }
+  }
+  return sum;
+}
+
 }  // namespace
 
 Packed<float> StokesSolver::right_hand_side(const Drive& drive) const {
   Packed<float> b(operator_->size(), 0.0F);
   const Level& level = hierarchy_.finest();
-  const Real pressure_unit = scale_ * spacing_.x;
-  const Real velocity_unit = scale_ * spacing_.x * spacing_.x / viscosity_;
+  const ScaledDrive d{drive, scale_, scale_ * spacing_.x,
+                      scale_ * spacing_.x * spacing_.x / viscosity_};
   operator_->for_each([&](int c, int i, int j, int k, std::size_t at) {
     const Int3 index{i, j, k};
     const std::ptrdiff_t cell = level.block.at(i, j, k);
     if (c < 3) {
-      const auto& axis = level.axis[c];
-      const int here = global(level.block, c, index[c]);
-      const int total = level.block.global[c];
-      const Real weight = level.weight[c][cell];
-      const Real gradient = axis.gradient[index[c] + axis.offset];
-      b[at] = static_cast<float>(weight * drive.force[c] / scale_);
-      for (const bool high : {false, true}) {
-        const FaceKind kind = boundaries_.at(c, high);
-        const Real value = drive.face_value[2 * c + (high ? 1 : 0)];
-        if (kind == FaceKind::pressure && here == (high ? total : 0)) {
-          b[at] += static_cast<float>((high ? -1 : 1) * weight * gradient * value / pressure_unit);
-        } else if (kind == FaceKind::velocity && here == (high ? total - 1 : 1)) {
-          const auto& e = high ? axis.face_high : axis.face_low;
-          b[at] += static_cast<float>(e[index[c] + axis.offset] * value / velocity_unit);
-        }
-      }
+      b[at] = face_drive(level, boundaries_, d, c, index[c], cell);
       return;
     }
-    for (int a = 0; a < 3; ++a) {  // inflow through velocity faces, where the face behind is open
-      const int here = global(level.block, a, index[a]);
-      for (const bool high : {false, true}) {
-        const bool outermost = here == (high ? level.block.global[a] - 1 : 0);
-        const std::ptrdiff_t inner = cell + (high ? 0 : level.block.stride(a));
-        if (boundaries_.at(a, high) == FaceKind::velocity && outermost &&
-            level.inverse_diagonal[a][inner] != 0) {
-          const Real value = drive.face_value[2 * a + (high ? 1 : 0)] / velocity_unit;
-          b[at] +=
-              (high ? -1 : 1) * value * level.axis[a].divergence[index[a] + level.axis[a].offset];
-        }
-      }
+    for (int a = 0; a < 3; ++a) {
+      b[at] += cell_drive(level, boundaries_, d, a, index[a], cell);
     }
   });
   return b;

@@ -15,7 +15,7 @@ using geom::Beyond;
 template <int dims>
 Surfaces grains(const std::vector<geom::Body>& bodies, const geom::SampleBox& box, Real band,
                 const Vec3& corner = {}) {
-  return {RoundGrains<dims>{geom::RoundBodies<dims>(bodies, box, true, band), corner}};
+  return {Fixed(RoundGrains<dims>{geom::RoundBodies<dims>(bodies, box, true, band), corner})};
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ Surfaces grains_of_block(const geom::Sample& sample, const Vec3& low, const Vec3
   const Real margin = largest + 6 * sample.pixel;
   const Vec3 beyond{margin, margin, margin};
   const geom::Solid solid = geom::make_solid(sample, low - beyond, high + beyond, 6e-6);
-  return {make_field(std::get<geom::VoxelSolid>(solid), largest, corner)};
+  return {Fixed(make_field(std::get<geom::VoxelSolid>(solid), largest, corner))};
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ Real shared_overlap(int count, Real cosine) {
 }
 
 Surfaces field(const geom::VoxelSolid& solid) {
-  return {dem::make_field(solid, 0.6)};
+  return {dem::Fixed(dem::make_field(solid, 0.6))};
 }
 
 constexpr Vec3 down_y{0, -1, 0};
@@ -81,7 +81,7 @@ TEST(GrainContact, sphere_rests_in_a_groove_to_a_thousandth_of_its_diameter) {
        quad(bottom - Vec3{0, 0, 1}, 3.0 * Vec3{-right.y, right.x, 0} * -1.0, {0, 0, 6})) {
     sheets.push_back(t);
   }
-  const Surfaces mesh{dem::make_mesh(sheets, 0.6)};
+  const Surfaces mesh{dem::Fixed(dem::make_mesh(sheets, 0.6))};
   for (const Real voxels : {8.0, 16.0}) {
     const int n = static_cast<int>(4 * voxels);
     const auto sampled_walls = field(sampled({n, n, 1}, 1 / voxels, groove(voxels)));
@@ -105,7 +105,7 @@ TEST(GrainContact, sphere_rests_on_a_concave_corner_of_three_walls) {
   const Vec3 exact = corner + (0.5 - sunk) * Vec3{1, 1, 1};
   const Vec3 along = (-1 / std::sqrt(3.0)) * Vec3{1, 1, 1};
   const Surfaces planes{dem::box_faces(corner, {9, 9, 9}, {true, false, true, false, true, false})};
-  const Surfaces mesh{dem::make_mesh(box_mesh(corner, {9, 9, 9}, true), 0.6)};
+  const Surfaces mesh{dem::Fixed(dem::make_mesh(box_mesh(corner, {9, 9, 9}, true), 0.6))};
   for (const Surfaces& surfaces : {planes, mesh, field(sampled({n, n, n}, 1 / voxels, walls))}) {
     const Vec3 rest = settle(surfaces, 3, along, exact + Vec3{0.02, 0.03, 0.01});
     EXPECT_LT(norm(rest - exact), 1e-3);
@@ -118,11 +118,11 @@ TEST(GrainContact, sphere_wedges_in_a_throat_between_two_grains) {
     const Real apart = grain + 0.5 * throat;
     const std::vector<geom::Body> grains{{{4 - apart, 2.6, 0}, grain},
                                          {{4 + apart, 2.6, 0}, grain}};
-    const Surfaces exact_grains{dem::RoundGrains<2>{
+    const Surfaces exact_grains{dem::Fixed(dem::RoundGrains<2>{
         geom::CylinderList(
             grains, {{8, 8, 4}, {geom::Beyond::pore, geom::Beyond::pore, geom::Beyond::pore}}, true,
             1),
-        {}}};
+        {}})};
     for (const Real voxels : {8.0, 16.0}) {
       const auto distance = [&](const Vec3& x) {
         Real s = 1e9;
