@@ -108,8 +108,8 @@ struct LinearSpring {
   }
 };
 
-/// No tangential force.
-struct Frictionless {
+/// No tangential force, or no resistance to rolling.
+struct Unresisted {
   static constexpr int memory = 0;
   [[nodiscard, gnu::always_inline]] Vec3 operator()(const PairMaterial& /*pair*/,
                                                     const ContactState& /*contact*/,
@@ -149,17 +149,6 @@ struct Mindlin {
   [[nodiscard, gnu::always_inline]] static Real shrink(const Vec3& force, Real cap) {
     const Real size = std::sqrt(dot(force, force));
     return size > cap ? cap / size : 1.0;
-  }
-};
-
-/// No rolling resistance.
-struct FreeRolling {
-  static constexpr int memory = 0;
-  [[nodiscard, gnu::always_inline]] Vec3 operator()(const PairMaterial& /*pair*/,
-                                                    const ContactState& /*contact*/,
-                                                    const NormalResponse& /*normal*/, Real /*dt*/,
-                                                    ContactHistory& /*history*/) const {
-    return {};
   }
 };
 

@@ -38,8 +38,8 @@ struct ContactLaw {
 /// The models that the user chose.
 struct ContactModel {
   std::variant<Hertz, LinearSpring> normal = Hertz{};
-  std::variant<Mindlin, MindlinDeresiewicz, Frictionless> tangential = Mindlin{};
-  std::variant<FreeRolling, ConstantTorque, RollingSpring> rolling = FreeRolling{};
+  std::variant<Mindlin, MindlinDeresiewicz, Unresisted> tangential = Mindlin{};
+  std::variant<Unresisted, ConstantTorque, RollingSpring> rolling = Unresisted{};
 };
 
 /// Calls use(law) with the law that the model names: once per loop, not per contact.

@@ -43,7 +43,7 @@ struct Mesh {
 /// The nearest point of a triangle counts when no triangle that shares it comes nearer: a face always
 /// does, an edge or corner only where the surface is convex, and a point between coplanar triangles
 /// once. Facets of a hollow share the force as in share_force. The feature is 0: history follows
-/// the normal (find_history), from triangle to triangle.
+/// the normal (match_histories), from triangle to triangle.
 /// Test: unit/dem_mesh, verification/grain_contact.
 void find_touches(const Mesh& mesh, const Vec3& centre, Real radius, Real reach, TouchList& out);
 

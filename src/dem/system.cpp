@@ -63,9 +63,11 @@ System::System(const par::Communicator& comm, Settings settings)
       walls_(settings_.walls, settings_.wall_species, history_length(settings_.model)) {}
 
 void System::insert(std::span<const Body> bodies) {
-  keep_contacts();
   for (const Body& body : bodies) {
     check(body, settings_);
+  }
+  keep_contacts();
+  for (const Body& body : bodies) {
     Body inside = body;
     inside.position = settings_.box.wrapped(body.position);
     if (settings_.blocks.owner(inside.position) == comm_.rank()) {
@@ -73,20 +75,26 @@ void System::insert(std::span<const Body> bodies) {
       kept_.append({});
     }
   }
+  if (!bodies.empty()) {
+    find_contacts();
+  }
 }
 
 Index System::remove(const std::function<bool(const Particles&, std::size_t)>& gone) {
-  keep_contacts();
   std::vector<std::uint32_t> order;
   for (std::size_t i = 0; i < particles_.owned; ++i) {
     if (!gone(particles_, i)) {
       order.push_back(static_cast<std::uint32_t>(i));
     }
   }
-  const std::size_t left = particles_.owned - order.size();
-  particles_.reorder(order), kept_.reorder(order);
-  particles_.owned = order.size();
-  return static_cast<Index>(left);
+  const auto left = static_cast<Index>(particles_.owned - order.size());
+  if (comm_.sum(left) > 0) {
+    keep_contacts();
+    particles_.reorder(order), kept_.reorder(order);
+    particles_.owned = order.size();
+    find_contacts();
+  }
+  return left;
 }
 
 void System::rebuild() {
@@ -155,9 +163,18 @@ void System::prepare() {
   }
   if (comm_.max(forces_hold_ ? 0.0 : 1.0) > 0) {
     particles_.clear_forces();
-    contact_forces({});
+    contact_forces({0, particles_.creeps});
     forces_hold_ = true;
   }
+}
+
+/// Contacts and forces of the moment, after particles came or went.
+void System::find_contacts() {
+  if (work_.steps == 0) {
+    skin_ = 0;  // not all particles of the start were there when it was chosen
+  }
+  forces_hold_ = false;
+  prepare();
 }
 
 /// Hands the history of every contact to its particles and drops lists and ghosts.

@@ -87,10 +87,11 @@ class System {
   System(const par::Communicator& comm, Settings settings);
 
   /// Adds spheres; collective: every rank passes the same list and keeps what lies in its block.
+  /// Contacts keep their histories; afterwards contacts and forces are those of the moment.
   /// @throws InputError for a radius, density or species out of range, or a centre outside the box
   void insert(std::span<const Body> bodies);
 
-  /// Removes owned particles for which gone(particles, i) holds; collective.
+  /// Removes owned particles for which gone(particles, i) holds; collective, as insert.
   /// @return how many left this rank
   Index remove(const std::function<bool(const Particles&, std::size_t)>& gone);
 
@@ -152,6 +153,7 @@ class System {
   void update_lists(Real fastest, Real dt);
   void contact_forces(const Evaluation& evaluation);
   void prepare();
+  void find_contacts();
   [[nodiscard]] Real creep_limit(Real left, Real allowed);
   void check_walls() const;
 

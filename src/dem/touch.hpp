@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MPL-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -51,25 +52,39 @@ struct TouchList {
 /// Cosine of the largest turn of a normal between two substeps of one contact (26 degrees).
 inline constexpr Real same_contact = 0.9;
 
-/// Where the history of a touch is: the entry of the same feature whose normal turned least,
-/// or -1 for a new contact. An entry needs members `feature` and `normal` (of the last substep).
+/// Where the history of each touch is: the place of its entry in `before`, or -1 for a new contact.
+/// An entry needs members `feature` and `normal` (of the last substep).
 ///
-/// A sphere that rolls over a smooth surface or over coplanar triangles keeps its history, and two
-/// touches on one grain keep theirs apart. Call it for the touches in order and take a matched entry
-/// out of the running with `taken`.
+/// Entries go to the touch of the same feature whose normal turned least, the closest pair first and
+/// each once. So a sphere that rolls over a smooth surface or over coplanar triangles keeps its
+/// history, two touches on one grain keep theirs apart, and one that is born beside another, before
+/// it in the list or after, begins without.
 template <class Entry>
-[[nodiscard]] int find_history(const Touch& touch, std::span<const Entry> before,
-                               std::span<const bool> taken) {
-  int best = -1;
-  Real closest = same_contact;
-  for (std::size_t e = 0; e < before.size(); ++e) {
-    const Real turn = dot(before[e].normal, touch.normal);
-    if (!taken[e] && before[e].feature == touch.feature && turn > closest) {
-      best = static_cast<int>(e);
-      closest = turn;
+[[nodiscard]] std::array<int, TouchList::capacity> match_histories(std::span<const Touch> touches,
+                                                                   std::span<const Entry> before) {
+  std::array<int, TouchList::capacity> found;
+  found.fill(-1);
+  std::array<bool, TouchList::capacity> taken{};
+  const std::size_t most = std::min(touches.size(), before.size());
+  for (std::size_t round = 0; round < most; ++round) {
+    std::size_t touch = touches.size();
+    std::size_t entry = 0;
+    Real closest = same_contact;
+    for (std::size_t t = 0; t < touches.size(); ++t) {
+      for (std::size_t e = 0; e < before.size(); ++e) {
+        const Real turn = dot(before[e].normal, touches[t].normal);
+        if (found[t] < 0 && !taken[e] && before[e].feature == touches[t].feature &&
+            turn > closest) {
+          touch = t, entry = e, closest = turn;
+        }
+      }
     }
+    if (touch == touches.size()) {
+      break;
+    }
+    found[touch] = static_cast<int>(entry), taken[entry] = true;
   }
-  return best;
+  return found;
 }
 
 }  // namespace porefines::dem

@@ -96,13 +96,10 @@ void WallContacts::look(const Particles& p, Real moved, Candidate& c) {
 template <typename Add>
 void WallContacts::match(const Candidate& c, const TouchList& touches, const Add& add) const {
   const std::span<const Entry> before{entries_.data() + c.first, c.count};
-  std::array<bool, TouchList::capacity> taken{};
-  for (const Touch& touch : touches.view()) {
-    const int was = find_history(touch, before, std::span<const bool>(taken).first(c.count));
-    if (was >= 0) {
-      taken[was] = true;
-    }
-    add(touch, was >= 0 ? before[was].history : ContactHistory{});
+  const auto found = match_histories(touches.view(), before);
+  for (int t = 0; t < touches.count; ++t) {
+    const int was = found[t];
+    add(touches.touch[t], was >= 0 ? before[was].history : ContactHistory{});
   }
 }
 

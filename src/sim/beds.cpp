@@ -185,12 +185,7 @@ Bed make_bed(const config::Case& the_case, const dem::Settings& settings) {
   return bed;
 }
 
-void find_contacts(dem::System& system) {
-  system.advance(0, 1);
-}
-
-void require_apart(dem::System& system, Real most, const par::Communicator& comm) {
-  find_contacts(system);
+void require_apart(const dem::System& system, Real most, const par::Communicator& comm) {
   if (system.largest_overlap() <= most && comm.sum(system.wall_trouble().inside) == 0) {
     return;
   }

@@ -29,12 +29,9 @@ struct Bed {
 /// @throws InputError
 [[nodiscard]] std::vector<dem::Body> read_spheres(const std::string& path, Real diameter);
 
-/// Contacts and forces as they are now, after particles came or went; moves nothing. Collective.
-void find_contacts(dem::System& system);
-
 /// Refuses particles that at the start overlap each other or a wall by more than `most` radii, or
 /// whose centre is inside a grain. Collective, after they were inserted.
 /// @throws InputError  naming the worst pair and where it is
-void require_apart(dem::System& system, Real most, const par::Communicator& comm);
+void require_apart(const dem::System& system, Real most, const par::Communicator& comm);
 
 }  // namespace porefines::sim

@@ -173,7 +173,6 @@ void inject_due(DryRun& run, Real from, Real to) {
   run.state.ledger.injected += entered;
   if (entered > 0) {
     set_forces(run);
-    find_contacts(run.system);
   }
 }
 
@@ -250,7 +249,6 @@ std::string take_out(DryRun& run) {
   run.state.energy.out += run.comm.sum(energy);
   run.state.ledger.out += run.comm.sum(run.system.remove(
       [&](const dem::Particles& all, std::size_t i) { return crossed(all, i) >= 0; }));
-  find_contacts(run.system);
   return rows;
 }
 

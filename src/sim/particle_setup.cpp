@@ -116,7 +116,7 @@ dem::ContactModel make_contact_model(const config::Case& the_case, Real speed) {
     model.normal = spring;
   }
   if (contact.friction_particle == 0 && contact.friction_wall == 0) {
-    model.tangential = dem::Frictionless{};
+    model.tangential = dem::Unresisted{};
   }
   if (contact.rolling == config::RollingModel::constant_torque) {
     model.rolling = dem::ConstantTorque{};

@@ -38,7 +38,7 @@ TEST(ContactLaw, friction_is_capped_and_opposes_slip) {
   c.slip = {0.1, 0.05, 0};
   ContactHistory h;
   ContactForce f;
-  const ContactLaw law{Hertz{}, Mindlin{}, FreeRolling{}};
+  const ContactLaw law{Hertz{}, Mindlin{}, Unresisted{}};
   for (int step = 0; step < 1000; ++step) {
     f = law(glass(), c, 1e-7, h);
   }
@@ -51,7 +51,7 @@ TEST(ContactLaw, rolling_spring_reaches_its_cap) {
   ContactState c = pressed(1e-6);
   c.spin = {0, 10, 3};  // the part about the normal does not count
   ContactHistory h;
-  const ContactLaw law{Hertz{}, Frictionless{}, RollingSpring{}};
+  const ContactLaw law{Hertz{}, Unresisted{}, RollingSpring{}};
   ContactForce f;
   for (int step = 0; step < 1000; ++step) {
     f = law(glass(), c, 1e-6, h);
@@ -64,7 +64,7 @@ TEST(ContactLaw, constant_torque_stops_and_does_not_reverse) {
   ContactState c = pressed(1e-6);
   c.spin = {1e-6, 0, 0};
   ContactHistory h;
-  const ContactForce f = ContactLaw{Hertz{}, Frictionless{}, ConstantTorque{}}(glass(), c, 1e-6, h);
+  const ContactForce f = ContactLaw{Hertz{}, Unresisted{}, ConstantTorque{}}(glass(), c, 1e-6, h);
   EXPECT_NEAR(f.couple.x * 1e-6 / c.inertia, -1e-6, 1e-18);
 }
 

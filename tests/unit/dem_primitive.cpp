@@ -93,22 +93,41 @@ TEST(DemPrimitive, trouble_is_reported) {
   EXPECT_THROW((void)checked({Ball{{0, 0, 0}, -1}}), InputError);
 }
 
+namespace {
+
+struct Remembered {
+  std::uint32_t feature;
+  Vec3 normal;
+};
+
+Touch touch_at(std::uint32_t feature, Real angle) {
+  return {{std::cos(angle), std::sin(angle), 0}, 0, {}, 0, 1, feature};
+}
+
+}  // namespace
+
 TEST(DemTouch, history_follows_the_normal_that_turned_least) {
-  struct Entry {
-    std::uint32_t feature;
-    Vec3 normal;
+  const std::array<Remembered, 3> before{{{7, {1, 0, 0}}, {7, {0, 1, 0}}, {8, {0, 0, 1}}}};
+  const Real right = std::acos(0.0);
+  const auto look = [&](const std::vector<Touch>& touches) {
+    return match_histories<Remembered>(touches, before);
   };
-  const std::array<Entry, 3> before{{{7, {1, 0, 0}}, {7, {0, 1, 0}}, {8, {0, 0, 1}}}};
-  std::array<bool, 3> taken{};
-  const auto look = [&](std::uint32_t feature, const Vec3& normal) {
-    const Touch touch{normal, 0, {}, 0, 1, feature};
-    return find_history<Entry>(touch, before, taken);
-  };
-  EXPECT_EQ(look(7, {std::sin(0.2), std::cos(0.2), 0}), 1);
-  EXPECT_EQ(look(7, {std::sqrt(0.5), std::sqrt(0.5), 0}), -1);
-  EXPECT_EQ(look(8, {1, 0, 0}), -1);
-  taken[1] = true;
-  EXPECT_EQ(look(7, {std::sin(0.2), std::cos(0.2), 0}), -1);
+  EXPECT_EQ(look({touch_at(7, right - 0.2)})[0], 1);
+  EXPECT_EQ(look({touch_at(7, right / 2)})[0], -1);
+  EXPECT_EQ(look({touch_at(8, 0)})[0], -1);
+}
+
+TEST(DemTouch, a_newborn_touch_leaves_its_neighbours_history_alone) {
+  const std::array<Remembered, 1> before{{{7, {1, 0, 0}}}};
+  const Touch newborn = touch_at(7, 0.3);
+  const Touch old = touch_at(7, 0.01);
+  for (const bool newborn_first : {true, false}) {
+    const std::vector<Touch> touches =
+        newborn_first ? std::vector{newborn, old} : std::vector{old, newborn};
+    const auto found = match_histories<Remembered>(touches, before);
+    EXPECT_EQ(found[newborn_first ? 0 : 1], -1);
+    EXPECT_EQ(found[newborn_first ? 1 : 0], 0);
+  }
 }
 
 }  // namespace porefines::dem

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MPL-2.0
+#include <functional>
+#include <map>
+
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
@@ -73,7 +76,7 @@ TEST(DemSystem, angular_momentum_is_kept_to_round_off) {
 }
 
 TEST(DemSystem, energy_never_grows) {
-  for (const auto& rolling : {decltype(dem::ContactModel::rolling){dem::FreeRolling{}},
+  for (const auto& rolling : {decltype(dem::ContactModel::rolling){dem::Unresisted{}},
                               decltype(dem::ContactModel::rolling){dem::ConstantTorque{}},
                               decltype(dem::ContactModel::rolling){dem::RollingSpring{}}}) {
     for (const bool periodic : {true, false}) {
@@ -162,21 +165,46 @@ TEST(DemSystem, a_held_particle_stays_and_feels) {
   EXPECT_NEAR(p.force[i].z / (p.mass[i] * -9.81), 1, 1e-3);
 }
 
-TEST(DemSystem, removal_keeps_the_contacts_of_the_rest) {
-  System a = colliding(true, {}, 0.8);
-  a.advance(dt, 1000);
-  System b = colliding(true, {}, 0.8);
-  b.advance(dt, 1000);
-  // Taking nobody out drops and rebuilds the lists: histories must survive.
-  EXPECT_EQ(b.remove([](const auto& p, std::size_t i) { return p.id[i] == 0; }), 0);
-  a.advance(dt, 200);
-  b.advance(dt, 200);
-  const std::size_t i = find(a.particles(), 100);
-  const std::size_t j = find(b.particles(), 100);
-  EXPECT_LT(norm(a.particles().position[i] - b.particles().position[j]), 1e-9 * d);
-  EXPECT_EQ(b.remove([](const auto& p, std::size_t k) { return p.id[k] <= 12; }), 12);
-  EXPECT_EQ(b.totals().particles, 500);
-  b.advance(dt, 10);
+/// Forces of the contacts among particles that keep(id), by the pair's ids.
+std::map<std::pair<std::uint64_t, std::uint64_t>, Vec3> forces(
+    const System& system, const std::function<bool(std::uint64_t)>& keep) {
+  std::map<std::pair<std::uint64_t, std::uint64_t>, Vec3> found;
+  for (const dem::ContactRecord& c : system.contacts()) {
+    if (keep(c.first) && (c.wall || keep(c.second))) {
+      const bool turned = !c.wall && c.second < c.first;
+      found[turned ? std::pair{c.second, c.first} : std::pair{c.first, c.second}] =
+          turned ? -1.0 * c.force : c.force;
+    }
+  }
+  return found;
+}
+
+TEST(DemSystem, those_who_come_and_go_leave_the_contacts_of_the_rest) {
+  System system = colliding(false, {}, 0.8);
+  system.advance(dt, 1000);
+  const auto stays = [](std::uint64_t id) { return id > 12 && id <= 512; };
+  const auto before = forces(system, stays);
+  ASSERT_GT(before.size(), 20U);
+  const auto expect_kept = [&] {
+    const auto now = forces(system, stays);
+    ASSERT_EQ(now.size(), before.size());
+    for (const auto& [pair, force] : before) {
+      ASSERT_TRUE(now.contains(pair));
+      EXPECT_LT(norm(now.at(pair) - force), 1e-9 * norm(force));  // friction's history in it
+    }
+  };
+  EXPECT_EQ(system.remove([](const auto& p, std::size_t k) { return p.id[k] <= 12; }), 12);
+  EXPECT_EQ(system.totals().particles, 500);
+  expect_kept();
+  const dem::Particles& p = system.particles();
+  system.insert(std::vector{
+      sphere(600, p.position[find(p, 300)] + Vec3{0.01 * d, 0, 0.02 * d}, d / 4, 1050)});
+  expect_kept();
+  EXPECT_FALSE(forces(system, [](std::uint64_t id) { return id == 300 || id == 600; }).empty())
+      << "the newcomer's contacts are known at once";
+  const Index rebuilds = system.work().rebuilds;
+  EXPECT_EQ(system.remove([](const auto&, std::size_t) { return false; }), 0);
+  EXPECT_EQ(system.work().rebuilds, rebuilds) << "nothing to do";
 }
 
 TEST(DemSystem, refuses_wrong_bodies) {

@@ -31,7 +31,7 @@ struct Sheared {
 
   /// Moves by `distance` along x and gives the force that resists.
   Real shear(Real distance) {
-    const ContactLaw law{Hertz{}, MindlinDeresiewicz{}, FreeRolling{}};
+    const ContactLaw law{Hertz{}, MindlinDeresiewicz{}, Unresisted{}};
     const int steps = std::max(1, static_cast<int>(std::lround(std::abs(distance) / step)));
     for (int n = 0; n < steps; ++n) {
       contact.slip.x = distance / steps;
@@ -112,7 +112,7 @@ TEST(PartialSlip, no_slip_while_the_normal_force_grows_faster) {
     const NormalResponse r = Hertz{}(c.pair, c.contact);
     c.contact.slip.x = 0.5 * mu * (r.force - old_force) / r.shear_stiffness;
     expected += r.shear_stiffness * c.contact.slip.x;
-    const ContactLaw law{Hertz{}, MindlinDeresiewicz{}, FreeRolling{}};
+    const ContactLaw law{Hertz{}, MindlinDeresiewicz{}, Unresisted{}};
     EXPECT_NEAR(-law(c.pair, c.contact, 1.0, c.history).force.x / expected, 1, 5e-3);
   }
   EXPECT_NEAR(expected / (0.5 * mu * (Hertz{}(c.pair, c.contact).force - before.force)), 1, 1e-9);
