@@ -118,6 +118,7 @@ CreepReport System::creep(Real dt, Real allowed_approach) {
     build_lists(true);
   }
   forces_hold_ = true;
+  moves_ = true;
   extrapolate(particles_, dt);
   CreepReport report{0, dt};
   Real before = 0;  // the substep over which springs have stretched

@@ -78,7 +78,7 @@ class PairContacts {
   [[nodiscard]] const PairList& list() const { return list_; }
   /// Largest overlap over smaller radius since the last reset.
   [[nodiscard]] Real largest_overlap() const { return largest_overlap_; }
-  void reset_largest_overlap() { largest_overlap_ = 0; }
+  void reset_largest_overlap(Real to = 0) { largest_overlap_ = to; }
 
  private:
   /// Pairs that may touch before the next narrow().

@@ -101,6 +101,23 @@ void check(Ball& wall, std::size_t place) {
   check_radius(wall.radius, place);
 }
 
+/// What advance() changes.
+std::array<Vec3*, 3> moving_parts(Plane& wall) {
+  return {&wall.point, &wall.normal, &wall.motion.about};
+}
+
+std::array<Vec3*, 3> moving_parts(Cylinder& wall) {
+  return {&wall.point, &wall.axis, &wall.motion.about};
+}
+
+std::array<Vec3*, 3> moving_parts(Ball& wall) {
+  return {&wall.centre, &wall.motion.velocity, &wall.motion.about};
+}
+
+std::array<Vec3*, 3> moving_parts(Primitive& wall) {
+  return std::visit([](auto& shape) { return moving_parts(shape); }, wall);
+}
+
 }  // namespace
 
 Primitives checked(Primitives walls) {
@@ -132,6 +149,26 @@ void advance(Primitives& walls, Real dt) {
         },
         primitive);
   }
+}
+
+std::vector<Real> places(const Primitives& walls) {
+  std::vector<Real> numbers;
+  for (Primitive wall : walls) {
+    for (const Vec3* v : moving_parts(wall)) {
+      numbers.insert(numbers.end(), {v->x, v->y, v->z});
+    }
+  }
+  return numbers;
+}
+
+std::span<const Real> put_back(Primitives& walls, std::span<const Real> places) {
+  for (Primitive& wall : walls) {
+    for (Vec3* v : moving_parts(wall)) {
+      *v = {places[0], places[1], places[2]};
+      places = places.subspan(3);
+    }
+  }
+  return places;
 }
 
 void find_touches(const Primitives& walls, const Vec3& centre, Real radius, Real reach,

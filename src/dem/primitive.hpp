@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -55,6 +56,11 @@ using Primitives = std::vector<Primitive>;
 
 /// Walls move for `dt` [s]: points translate, normals and axes turn (to second order in spin dt).
 void advance(Primitives& walls, Real dt);
+
+/// Where the walls are, 9 numbers each, for a checkpoint.
+[[nodiscard]] std::vector<Real> places(const Primitives& walls);
+/// Puts the walls back there. @return what is left of the numbers
+std::span<const Real> put_back(Primitives& walls, std::span<const Real> places);
 
 /// Touches with gap < reach. Exact; O(number of walls).
 ///

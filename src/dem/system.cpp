@@ -107,6 +107,7 @@ void System::advance(Real dt, Index steps) {
     return;
   }
   prepare();
+  moves_ = true;
   const Kick motion{settings_.gravity, dt, has_external_forces(particles_)};
   for (Index step = 0; step < steps; ++step) {
     const int kicks = step == 0 ? 1 : 2;
@@ -170,7 +171,7 @@ void System::prepare() {
 
 /// Contacts and forces of the moment, after particles came or went.
 void System::find_contacts() {
-  if (work_.steps == 0) {
+  if (!moves_) {
     skin_ = 0;  // not all particles of the start were there when it was chosen
   }
   forces_hold_ = false;
@@ -232,6 +233,7 @@ Snapshot System::save() const {
   s.particles.resize(particles_.owned);
   s.walls = walls_.surfaces();
   s.skin = skin_, s.moved = moved_;
+  s.largest_overlap = std::max(pairs_.largest_overlap(), walls_.largest_overlap());
   s.contacts = lists_hold_ ? collected_contacts() : kept_;
   return s;
 }
@@ -265,6 +267,8 @@ void System::restore(Snapshot snapshot, bool same_ranks) {
   walls_ = WallContacts(snapshot.walls, settings_.wall_species, history_length(settings_.model));
   skin_ = snapshot.skin;
   moved_ = snapshot.moved;
+  pairs_.reset_largest_overlap(snapshot.largest_overlap);
+  moves_ = true;
   lists_hold_ = false;
   forces_hold_ = true;
   if (same_ranks) {

@@ -56,8 +56,9 @@ struct Snapshot {
   Particles particles;  ///< owned ones, in their present order
   KeptContacts contacts;
   Surfaces walls;
-  Real skin = 0;   ///< [m]
-  Real moved = 0;  ///< [m] farthest way since the lists were built
+  Real skin = 0;             ///< [m]
+  Real moved = 0;            ///< [m] farthest way since the lists were built
+  Real largest_overlap = 0;  ///< System::largest_overlap, of this rank
 };
 
 /// What one step of System::creep took.
@@ -164,6 +165,7 @@ class System {
   KeptContacts kept_;
   PairContacts pairs_;
   WallContacts walls_;
+  bool moves_ = false;  ///< it has begun: the skin stays
   bool lists_hold_ = false;
   bool forces_hold_ = false;
   std::vector<Real> stiffness_;  ///< [N/m] of all contacts of each particle, for creep_limit

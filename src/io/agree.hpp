@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MPL-2.0
 #pragma once
 
+#include <exception>
 #include <string>
 
 #include <mpi.h>
@@ -13,5 +14,17 @@ namespace porefines::io {
 /// @throws RunError  on every rank, with the message of the lowest rank that failed
 /// Collective; one reduction when nothing failed.
 void throw_everywhere(MPI_Comm comm, const std::string& failure);
+
+/// Runs `act` and turns a failure on any rank into one on all. Collective.
+template <typename Act>
+void together(MPI_Comm comm, const Act& act) {
+  std::string failure;
+  try {
+    act();
+  } catch (const std::exception& error) {
+    failure = error.what();
+  }
+  throw_everywhere(comm, failure);
+}
 
 }  // namespace porefines::io

@@ -3,19 +3,15 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
-#include <csignal>
 #include <filesystem>
-#include <system_error>
 #include <utility>
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "core/error.hpp"
 #include "io/agree.hpp"
 #include "io/fields_file.hpp"
+#include "io/free_space.hpp"
 #include "io/hdf5_handle.hpp"
 #include "io/replace_file.hpp"
 
@@ -28,18 +24,6 @@ bool is_root(MPI_Comm comm) {
   int rank = 0;
   MPI_Comm_rank(comm, &rank);
   return rank == 0;
-}
-
-/// Runs `act` and turns a failure on any rank into one on all.
-template <class Act>
-void together(MPI_Comm comm, Act act) {
-  std::string failure;
-  try {
-    act();
-  } catch (const std::exception& error) {
-    failure = error.what();
-  }
-  throw_everywhere(comm, failure);
 }
 
 void require_plain_name(const std::string& name) {
@@ -71,28 +55,6 @@ void require_block(const GridBlock& grid) {
           "xyz"[axis], grid.cells[axis], grid.offset[axis], grid.global_cells[axis],
           grid.spacing[axis]));
     }
-  }
-}
-
-/// Reserves the space for a step and gives it back: a full disk, a quota or a limit on the file
-/// size is found before HDF5, which does not get over a failed write, has begun.
-void require_space(const std::string& path, Index bytes) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  int failure = file < 0 ? errno : 0;
-  if (file >= 0) {
-    const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
-    if (::fallocate(file, 0, 0, bytes) != 0 && errno != EOPNOTSUPP) {
-      failure = errno;
-    }
-    std::signal(SIGXFSZ, old_handler);
-    ::close(file);
-    ::unlink(path.c_str());
-  }
-  if (failure != 0) {
-    throw RunError(fmt::format(
-        "{}: cannot write {:.1f} MB of fields: {}; free some space, or write "
-        "fields less often",
-        path, static_cast<Real>(bytes) / 1e6, std::generic_category().message(failure)));
   }
 }
 
@@ -169,7 +131,8 @@ void FieldWriter::write(Real time, std::span<const ScalarField> scalars,
     if (is_root(comm_)) {
       const Index floats =
           product(grid_.global_cells) * static_cast<Index>(scalars.size() + 3 * vectors.size());
-      require_space(part, header_bytes + 4 * floats);
+      require_space(part, header_bytes + 4 * floats, "fields",
+                    "free some space, or write fields less often");
     }
   });
   together(comm_,

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "io/hdf5_block.hpp"
 #include "io/hdf5_handle.hpp"
 
 namespace porefines::io {
@@ -16,56 +17,12 @@ namespace {
 constexpr const char* cells_name = "cells";
 constexpr const char* time_name = "time_s";
 
-Hdf5 parallel_access(MPI_Comm comm) {
-  const std::string doing = "preparing parallel access";
-  Hdf5 access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, doing);
-  require_hdf5(H5Pset_fapl_mpio(access.get(), comm, MPI_INFO_NULL), doing);
-  require_hdf5(H5Pset_coll_metadata_write(access.get(), true), doing);
-  return access;
-}
-
 /// One field: all ranks write their hyperslabs together. `components` is 1 or 3.
 void write_field(hid_t file, const GridBlock& grid, const std::string& name,
                  std::span<const float> values, int components) {
   const std::string doing = "writing field " + name;
-  const int rank = components == 1 ? 3 : 4;
-  std::array<hsize_t, 4> whole{};
-  std::array<hsize_t, 4> start{};
-  std::array<hsize_t, 4> count{};
-  for (int axis = 0; axis < 3; ++axis) {  // HDF5 counts slowest axis first
-    whole[2 - axis] = static_cast<hsize_t>(grid.global_cells[axis]);
-    start[2 - axis] = static_cast<hsize_t>(grid.offset[axis]);
-    count[2 - axis] = static_cast<hsize_t>(grid.cells[axis]);
-  }
-  whole[3] = count[3] = static_cast<hsize_t>(components);
-
-  Hdf5 file_space(H5Screate_simple(rank, whole.data(), nullptr), H5Sclose, doing);
-  Hdf5 memory_space(H5Screate_simple(rank, count.data(), nullptr), H5Sclose, doing);
-  if (values.empty()) {
-    require_hdf5(H5Sselect_none(file_space.get()), doing);
-    require_hdf5(H5Sselect_none(memory_space.get()), doing);
-  } else {
-    require_hdf5(H5Sselect_hyperslab(file_space.get(), H5S_SELECT_SET, start.data(), nullptr,
-                                     count.data(), nullptr),
-                 doing);
-  }
-  Hdf5 creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, doing);
-  require_hdf5(H5Pset_fill_time(creation.get(), H5D_FILL_TIME_NEVER), doing);
-  Hdf5 dataset(H5Dcreate2(file, name.c_str(), H5T_IEEE_F32LE, file_space.get(), H5P_DEFAULT,
-                          creation.get(), H5P_DEFAULT),
-               H5Dclose, doing);
-  Hdf5 transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose, doing);
-  require_hdf5(H5Pset_dxpl_mpio(transfer.get(), H5FD_MPIO_COLLECTIVE), doing);
-  require_hdf5(H5Dwrite(dataset.get(), H5T_NATIVE_FLOAT, memory_space.get(), file_space.get(),
-                        transfer.get(), values.data()),
-               doing);
-  dataset.finish(doing);
-}
-
-void write_provenance(hid_t file, const Provenance& provenance) {
-  for (const auto& [name, value] : entries(provenance)) {
-    write_attribute(file, name, value);
-  }
+  write_together(file, name, H5T_IEEE_F32LE, H5T_NATIVE_FLOAT,
+                 block_spaces(grid, components, doing), values.data(), doing);
 }
 
 void describe_grid(hid_t file, const GridBlock& grid) {
@@ -76,12 +33,6 @@ void describe_grid(hid_t file, const GridBlock& grid) {
   write_attribute(file, cells_name, cells);
   write_attribute(file, "origin_m", origin);
   write_attribute(file, "spacing_m", spacing);
-}
-
-void read_attribute(hid_t owner, const std::string& name, hid_t type, void* value) {
-  const std::string doing = "reading attribute " + name;
-  Hdf5 attribute(H5Aopen(owner, name.c_str(), H5P_DEFAULT), H5Aclose, doing);
-  require_hdf5(H5Aread(attribute.get(), type, value), doing);
 }
 
 herr_t note_field(hid_t group, const char* name, const H5L_info_t*, void* step) {
@@ -116,7 +67,7 @@ void write_step_file(const std::string& path, MPI_Comm comm, const GridBlock& gr
   const Hdf5 access = parallel_access(comm);
   Hdf5 file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose,
             "creating " + path);
-  write_provenance(file.get(), provenance);
+  write_attributes(file.get(), provenance);
   describe_grid(file.get(), grid);
   write_attribute(file.get(), time_name, std::span<const Real>(&time, 1));
   for (const ScalarField& field : scalars) {
@@ -146,7 +97,7 @@ void write_index(const std::string& folder, const std::vector<FieldStep>& steps,
   const std::string part = path + ".part";
   Hdf5 file(H5Fcreate(part.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,
             "creating " + part);
-  write_provenance(file.get(), provenance);
+  write_attributes(file.get(), provenance);
   for (std::size_t i = 0; i < steps.size(); ++i) {
     require_hdf5(H5Lcreate_external(steps[i].file.c_str(), "/", file.get(),
                                     fmt::format("step_{:06}", i).c_str(), H5P_DEFAULT, H5P_DEFAULT),

@@ -71,4 +71,24 @@ void write_attribute(hid_t owner, const std::string& name, std::span<const Index
   write_numbers(owner, name, H5T_NATIVE_INT64, values.size(), values.data());
 }
 
+void write_attributes(hid_t owner, const Provenance& provenance) {
+  for (const auto& [name, value] : entries(provenance)) {
+    write_attribute(owner, name, value);
+  }
+}
+
+void read_attribute(hid_t owner, const std::string& name, hid_t type, void* value) {
+  const std::string doing = "reading attribute " + name;
+  Hdf5 attribute(H5Aopen(owner, name.c_str(), H5P_DEFAULT), H5Aclose, doing);
+  require_hdf5(H5Aread(attribute.get(), type, value), doing);
+}
+
+Hdf5 parallel_access(MPI_Comm comm) {
+  const std::string doing = "preparing parallel access";
+  Hdf5 access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, doing);
+  require_hdf5(H5Pset_fapl_mpio(access.get(), comm, MPI_INFO_NULL), doing);
+  require_hdf5(H5Pset_coll_metadata_write(access.get(), true), doing);
+  return access;
+}
+
 }  // namespace porefines::io

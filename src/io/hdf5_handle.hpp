@@ -7,8 +7,10 @@
 #include <utility>
 
 #include <hdf5.h>
+#include <mpi.h>
 
 #include "core/types.hpp"
+#include "io/provenance.hpp"
 
 namespace porefines::io {
 
@@ -51,5 +53,10 @@ class Hdf5 {
 void write_attribute(hid_t owner, const std::string& name, const std::string& text);
 void write_attribute(hid_t owner, const std::string& name, std::span<const Real> values);
 void write_attribute(hid_t owner, const std::string& name, std::span<const Index> values);
+void write_attributes(hid_t owner, const Provenance& provenance);
+void read_attribute(hid_t owner, const std::string& name, hid_t type, void* value);
+
+/// Properties of a file that all ranks of `comm` open together.
+[[nodiscard]] Hdf5 parallel_access(MPI_Comm comm);
 
 }  // namespace porefines::io
