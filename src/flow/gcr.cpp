@@ -132,7 +132,7 @@ SolveReport solve_gcr(const par::Communicator& comm, Hierarchy& hierarchy, Opera
     } else {
       k.load_right_hand_side(r, 1 / size);
     }
-    cycle(hierarchy);
+    cycle(hierarchy, k.spheres());
     k.store_unknowns(newest.z);
     k.apply(newest.q);
     const std::vector<Real> dots = products(comm, newest.q, r, kept);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <span>
 
+#include "flow/rigid_spheres.hpp"
 #include "flow/smoother.hpp"
 
 namespace porefines::flow {
@@ -125,6 +126,11 @@ Hierarchy::Hierarchy(const par::Communicator& comm, const par::Decomposition& cu
 }
 
 void Hierarchy::build() {
+  transfers_.clear();
+  levels_.erase(levels_.begin() + 1, levels_.end());
+  for (Floats& field : finest().mobility) {
+    field.assign(finest().block.size, 0.0F);
+  }
   solve_mobility();
   while (add_coarse_level()) {
   }
@@ -196,9 +202,12 @@ std::size_t Hierarchy::bytes() const {
 
 namespace {
 
-void smooth(Level& level, int count, bool reversed, bool from_zero) {
+void smooth(Level& level, int count, bool reversed, bool from_zero, RigidSpheres* spheres) {
   for (int s = 0; s < count; ++s) {
     sweep(level, reversed, from_zero && s == 0);
+    if (spheres != nullptr) {
+      spheres->update();
+    }
   }
 }
 
@@ -209,7 +218,8 @@ void clear_unknowns(Level& level) {
   std::fill(level.p.begin(), level.p.end(), 0.0F);
 }
 
-void visit(Hierarchy& hierarchy, int l, bool from_zero) {
+/// @param spheres  of the finest level; nullptr below it
+void visit(Hierarchy& hierarchy, int l, bool from_zero, RigidSpheres* spheres) {
   Level& level = hierarchy.level(l);
   if (from_zero) {
     clear_unknowns(level);
@@ -218,22 +228,35 @@ void visit(Hierarchy& hierarchy, int l, bool from_zero) {
     level.halo.exchange(right_hand_side, sweep_depth);
   }
   if (l + 1 == hierarchy.size()) {
-    smooth(level, coarsest_sweeps, false, from_zero);
+    smooth(level, coarsest_sweeps, false, from_zero, spheres);
     return;
   }
-  smooth(level, sweeps_per_side, false, from_zero);
+  smooth(level, sweeps_per_side, false, from_zero, spheres);
   find_residual(level);
+  if (spheres != nullptr) {
+    spheres->spread_residual();
+  }
   hierarchy.transfer(l).restrict_residual(level, hierarchy.level(l + 1));
-  visit(hierarchy, l + 1, true);
-  visit(hierarchy, l + 1, false);
+  visit(hierarchy, l + 1, true, nullptr);
+  visit(hierarchy, l + 1, false, nullptr);
   hierarchy.transfer(l).prolong(hierarchy.level(l + 1), level);
-  smooth(level, sweeps_per_side, true, false);
+  if (spheres != nullptr) {
+    spheres->take_correction();
+  }
+  smooth(level, sweeps_per_side, true, false, spheres);
 }
 
 }  // namespace
 
-void cycle(Hierarchy& hierarchy) {
-  visit(hierarchy, 0, true);
+void cycle(Hierarchy& hierarchy, RigidSpheres* spheres) {
+  if (spheres != nullptr) {
+    spheres->rest();
+  }
+  visit(hierarchy, 0, true, spheres);
+}
+
+void smooth_finest(Hierarchy& hierarchy, RigidSpheres* spheres, int count) {
+  smooth(hierarchy.finest(), count, false, false, spheres);
 }
 
 }  // namespace porefines::flow

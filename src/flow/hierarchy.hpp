@@ -9,6 +9,8 @@
 
 namespace porefines::flow {
 
+class RigidSpheres;
+
 /// The levels of the multigrid: the finest spread over the ranks, coarse ones homogenised from the
 /// mobility, the coarsest held whole by every rank.
 ///
@@ -24,7 +26,8 @@ class Hierarchy {
   Hierarchy(const par::Communicator& comm, const par::Decomposition& cut, const Vec3& spacing,
             const Boundaries& boundaries);
 
-  /// Solves the mobility and makes the coarse levels; call once the finest level is linked.
+  /// Solves the mobility and makes the coarse levels, anew each time; call once the finest level is
+  /// linked.
   void build();
 
   [[nodiscard]] Level& finest() { return levels_.front(); }
@@ -49,7 +52,11 @@ class Hierarchy {
 /// One multigrid cycle for the system whose right-hand side is in f and g of the finest level (owned
 /// values suffice); leaves the correction in u and p, starting from zero.
 ///
-/// W cycle with two sweeps before and after: every coarse level is visited twice.
-void cycle(Hierarchy& hierarchy);
+/// W cycle with two sweeps before and after: every coarse level is visited twice. Coarse levels know
+/// nothing of spheres; on the finest each sweep is followed by an update of theirs.
+void cycle(Hierarchy& hierarchy, RigidSpheres* spheres = nullptr);
+
+/// Sweeps of the finest level, each followed by an update of the spheres; from what u and p hold.
+void smooth_finest(Hierarchy& hierarchy, RigidSpheres* spheres, int count);
 
 }  // namespace porefines::flow

@@ -69,32 +69,35 @@ void find_active_lines(Level& level) {
   level.lines.row_first.push_back(static_cast<int>(level.lines.x.size()));
 }
 
-/// push = 1 / sum over the six faces of W^2 grad div / d.
+/// push of every cell.
 void find_push(Level& level) {
   const grid::Block& b = level.block;
-  const auto& ax = level.axis;
-  const int reach[3] = {b.ghost[0], b.ghost[1], b.ghost[2]};
-  const auto face = [&](int a, std::ptrdiff_t at, int i) {
-    const float w = level.weighted() ? level.weight[a][at] : 1.0F;
-    return w * w * level.inverse_diagonal[a][at] * ax[a].gradient[i + ax[a].offset];
-  };
+  const std::array<int, 3> reach{b.ghost[0], b.ghost[1], b.ghost[2]};
   for (int k = -reach[2]; k < b.n[2] + reach[2]; ++k) {
     for (int j = -reach[1]; j < b.n[1] + reach[1]; ++j) {
       for (int i = -reach[0]; i < b.n[0] + reach[0]; ++i) {
-        const std::ptrdiff_t at = b.at(i, j, k);
-        const int index[3] = {i, j, k};
-        float sum = 0;
-        for (int a = 0; a < 3; ++a) {
-          sum += ax[a].divergence[index[a] + ax[a].offset] *
-                 (face(a, at, index[a]) + face(a, at + b.stride(a), index[a] + 1));
-        }
-        level.push[at] = sum > 0 ? 1 / sum : 0.0F;
+        level.push[b.at(i, j, k)] = push_of(level, {i, j, k});
       }
     }
   }
 }
 
 }  // namespace
+
+float push_of(const Level& level, const Int3& cell) {
+  const auto& ax = level.axis;
+  const std::ptrdiff_t at = level.block.at(cell[0], cell[1], cell[2]);
+  const auto face = [&](int a, std::ptrdiff_t where, int i) {
+    const float w = level.weighted() ? level.weight[a][where] : 1.0F;
+    return w * w * level.inverse_diagonal[a][where] * ax[a].gradient[i + ax[a].offset];
+  };
+  float sum = 0;
+  for (int a = 0; a < 3; ++a) {
+    sum += ax[a].divergence[cell[a] + ax[a].offset] *
+           (face(a, at, cell[a]) + face(a, at + level.block.stride(a), cell[a] + 1));
+  }
+  return sum > 0 ? 1 / sum : 0.0F;
+}
 
 void finish_level(Level& level) {
   find_push(level);

@@ -82,6 +82,9 @@ void for_lines(const Level& level, int j, int k, const Work& work) {
   }
 }
 
+/// push of one cell: 1 / sum over its six faces of W^2 grad div / d; 0 where none is open.
+[[nodiscard]] float push_of(const Level& level, const Int3& cell);
+
 /// Finds active lines and the push coefficient; call when diagonals and weights (ghosts too) stand.
 void finish_level(Level& level);
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "flow/rigid_spheres.hpp"
+
 namespace porefines::flow {
 
 namespace {
@@ -84,15 +86,29 @@ void continuity_line(const Level& level, int i, int j, int k, T* out) {
 
 Operator::Operator(Level& level, const Friction& friction) : level_(level), friction_(friction) {
   const grid::Block& b = level.block;
+  line_at_.assign(b.size / width, -1);
   for (int k = 0; k < b.n[2] + (b.owns_end[2] ? 1 : 0); ++k) {
     for (int j = 0; j < b.n[1] + (b.owns_end[1] ? 1 : 0); ++j) {
       for_lines(level, j, k, [&](int i) {
         if (i + width > 0 && i < b.n[0] + (b.owns_end[0] ? 1 : 0)) {
+          line_at_[b.at(i, j, k) / width] = static_cast<std::int32_t>(lines_.size());
           lines_.push_back({i, j, k});
         }
       });
     }
   }
+}
+
+void Operator::attach(RigidSpheres* spheres) {
+  spheres_ = spheres;
+  tail_ = spheres != nullptr ? spheres->tail() : 0;
+}
+
+std::size_t Operator::position(int component, const Int3& index) const {
+  const std::ptrdiff_t at = level_.block.at(index[0], index[1], index[2]);
+  const std::ptrdiff_t lane = (index[0] + level_.block.ghost[0]) % width;
+  return static_cast<std::size_t>(line_at_[(at - lane) / width]) * packed_width +
+         static_cast<std::size_t>(component * width + lane);
 }
 
 template <typename T>
@@ -105,6 +121,9 @@ void Operator::apply(Packed<T>& out) {
     momentum_line<1>(level_, friction_, i, j, k, to + width);
     momentum_line<2>(level_, friction_, i, j, k, to + 2 * width);
     continuity_line(level_, i, j, k, to + 3 * width);
+  }
+  if (spheres_ != nullptr) {
+    spheres_->apply(out.data(), out.data() + fluid_size());
   }
 }
 
@@ -160,6 +179,9 @@ void Operator::scatter(const std::array<Floats*, 4>& fields, const Packed<T>& v,
 template <typename T>
 void Operator::load_right_hand_side(const Packed<T>& v, double scale) {
   scatter({&level_.f[0], &level_.f[1], &level_.f[2], &level_.g}, v, scale);
+  if (spheres_ != nullptr) {
+    spheres_->load_force(v.data() + fluid_size(), scale);
+  }
 }
 
 template void Operator::load_right_hand_side<float>(const Packed<float>&, double);
@@ -168,6 +190,9 @@ template void Operator::load_right_hand_side<double>(const Packed<double>&, doub
 template <typename T>
 void Operator::load_unknowns(const Packed<T>& v) {
   scatter({&level_.u[0], &level_.u[1], &level_.u[2], &level_.p}, v, 1);
+  if (spheres_ != nullptr) {
+    spheres_->load_motion(v.data() + fluid_size());
+  }
 }
 
 template void Operator::load_unknowns<float>(const Packed<float>&);
@@ -192,6 +217,9 @@ void Operator::store_unknowns(Packed<T>& v) const {
         to[l] = static_cast<T>(field[l] * (owned_x[l] * row));
       }
     }
+  }
+  if (spheres_ != nullptr) {
+    spheres_->store_motion(v.data() + fluid_size());
   }
 }
 

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MPL-2.0
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "flow/level.hpp"
 #include "flow/links.hpp"
 
 namespace porefines::flow {
+
+class RigidSpheres;
 
 /// Values of u, v, w, p on the active lines that a rank owns: 4 x 16 values per line, one after the
 /// other. Krylov vectors are kept so: solid costs nothing and every pass is a stream.
@@ -20,7 +23,16 @@ class Operator {
  public:
   Operator(Level& level, const Friction& friction);
 
-  [[nodiscard]] std::size_t size() const { return lines_.size() * packed_width; }
+  /// Numbers in a packed vector: of the fluid, then of the spheres that this rank owns.
+  [[nodiscard]] std::size_t size() const { return fluid_size() + tail_; }
+  [[nodiscard]] std::size_t fluid_size() const { return lines_.size() * packed_width; }
+
+  /// Spheres take part from now on; nullptr: no more. After every placement.
+  void attach(RigidSpheres* spheres);
+  [[nodiscard]] RigidSpheres* spheres() const { return spheres_; }
+
+  /// Place of an owned unknown in a packed vector; component 3 is pressure.
+  [[nodiscard]] std::size_t position(int component, const Int3& index) const;
 
   /// out = K (u, p) for the level's u and p. Exchanges one ghost layer; collective.
   ///
@@ -38,6 +50,7 @@ class Operator {
   /// The level's u and p = the packed values; zero elsewhere.
   template <typename T>
   void load_unknowns(const Packed<T>& v);
+  /// Spheres' motions too, as load_unknowns loads them.
   template <typename T>
   void store_unknowns(Packed<T>& v) const;
 
@@ -85,6 +98,9 @@ class Operator {
   Level& level_;
   const Friction& friction_;
   std::vector<Line> lines_;
+  std::vector<std::int32_t> line_at_;  ///< per 16 places in memory: index in lines_, or -1
+  RigidSpheres* spheres_ = nullptr;
+  std::size_t tail_ = 0;
 };
 
 }  // namespace porefines::flow

@@ -172,6 +172,9 @@ Real StokesSolver::reference_norm(const Drive& drive, const Packed<float>& b) co
 }
 
 SolveReport StokesSolver::solve(const Drive& drive, SolveOptions options) {
+  if (spheres_) {
+    return solve_suspension(drive, std::move(options));
+  }
   constexpr Real tightest = 1e-10;
   scale_ = force_scale(drive);
   const Packed<float> b = right_hand_side(drive);
@@ -221,6 +224,14 @@ std::vector<Real> StokesSolver::plane_fluxes(int axis) const {
     flux[global(block(), axis, Int3{i, j, k}[axis])] +=
         level.weight[axis][block().at(i, j, k)] * x_[at] * unit;
   });
+  if (spheres_) {
+    spheres_->for_covered([&](const RigidFace& q, Real velocity) {
+      if (q.face.component == axis) {
+        flux[global(block(), axis, spheres_->cover().index_of(q.face.at)[axis])] +=
+            level.weight[axis][q.face.at] * velocity * unit;
+      }
+    });
+  }
   comm_.sum(flux);
   if (boundaries_.periodic(axis)) {
     flux.back() = flux.front();
@@ -267,6 +278,9 @@ StokesSolver::CellFields StokesSolver::cell_fields() {
   Level& level = hierarchy_.finest();
   Operator& op = *operator_;
   op.load_unknowns(x_);
+  if (spheres_) {
+    spheres_->write_faces(true);
+  }
   level.exchange_unknowns(1);
   const grid::Block& b = block();
   const auto count = static_cast<std::size_t>(b.cells());

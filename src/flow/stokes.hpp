@@ -4,9 +4,11 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "flow/gcr.hpp"
+#include "flow/rigid_spheres.hpp"
 
 namespace porefines::flow {
 
@@ -17,12 +19,33 @@ struct Drive {
   std::array<Real, 6> face_value{};
 };
 
-/// Steady Stokes flow through a fixed geometry.
+/// A rigid sphere in the flow. SI.
+struct Sphere {
+  std::uint64_t id = 0;  ///< unique over all ranks
+  Vec3 position;         ///< [m] from the low corner of the grid, in this rank's block
+  Real radius = 0;       ///< [m]
+  bool held = false;     ///< moves as told; else free, and the solve finds its motion
+  Vec3 velocity;         ///< [m/s] of a held one; a guess for a free one
+  Vec3 spin;             ///< [rad/s]
+  Vec3 force;            ///< [N] on it, from outside the fluid
+  Vec3 torque;           ///< [N m]
+};
+
+/// What the solve found of a sphere.
+struct SphereMotion {
+  Vec3 velocity;  ///< [m/s]
+  Vec3 spin;      ///< [rad/s]
+  Vec3 force;     ///< [N] by the fluid
+  Vec3 torque;    ///< [N m]
+};
+
+/// Steady Stokes flow through a fixed geometry, with rigid spheres in it.
 ///
 ///     -mu lap u + grad p = f,   div u = 0
 ///
-/// Set-up (links, mobility, coarse levels) is done once; every drive is then a solve. The first
-/// solve starts from rest, later ones too: results do not depend on history.
+/// Set-up (links, mobility, coarse levels) is done once; every drive is then a solve. Without spheres
+/// each starts from rest: results do not depend on history. With spheres it starts from the last
+/// solve, as they move little between two.
 /// SI outside; inside, length = cell along x, viscosity = 1 and a force scale taken from the drive.
 class StokesSolver {
  public:
@@ -42,6 +65,17 @@ class StokesSolver {
   /// to flux_tolerance (a tight rock passes so little that its flux weighs nothing in the residual).
   /// options.reference is set here. Collective.
   SolveReport solve(const Drive& drive, SolveOptions options);
+
+  /// Spheres of the next solves, each with the rank whose block holds its centre. The grid sees the
+  /// radius r + 0.26 h/D, D being the diameter in cells: drag then is right to 0.5 % from D = 4 on
+  /// (algorithm.md section 4). Collective.
+  void set_spheres(std::span<const Sphere> owned);
+  /// What the last solve found, in the order given.
+  [[nodiscard]] std::vector<SphereMotion> sphere_motions() const;
+  /// Orphan cells and pockets of the last placement, on this rank.
+  [[nodiscard]] const CoverCount& cover_count() const { return spheres_->cover().count(); }
+  /// Starts the next solve from rest.
+  void forget() { x_.clear(); }
 
   /// [m^3/s] volume flux through every plane normal to an axis: faces 0 .. n. On every rank.
   [[nodiscard]] std::vector<Real> plane_fluxes(int axis) const;
@@ -72,6 +106,12 @@ class StokesSolver {
   [[nodiscard]] Real length(int axis) const { return spacing_[axis] * block().global[axis]; }
   [[nodiscard]] bool pressure_pair(int axis) const;
   [[nodiscard]] Real flux_variation() const;
+  [[nodiscard]] Real sphere_scale() const;
+  [[nodiscard]] std::vector<Ball> scaled_spheres() const;
+  SolveReport solve_suspension(const Drive& drive, SolveOptions options);
+  void place_and_guess(const Drive& drive, Packed<float>& b, bool warm);
+  void show_held_to_coarse_levels();
+  void fill_vacated(const std::vector<std::uint32_t>& vacated);
 
   par::Communicator comm_;
   Boundaries boundaries_;
@@ -82,6 +122,10 @@ class StokesSolver {
   std::unique_ptr<Operator> operator_;
   Packed<double> x_;
   Real scale_ = 1;  ///< [Pa/m] force that is 1 inside
+  std::unique_ptr<RigidSpheres> spheres_;
+  std::vector<Sphere> given_;                         ///< of this rank
+  std::vector<std::pair<std::uint64_t, Vec3>> held_;  ///< that the coarse levels know, of this rank
+  std::vector<Six> drive_on_;  ///< this solve's drive on each held ball, scaled
 };
 
 }  // namespace porefines::flow
