@@ -15,6 +15,7 @@ SEES = {
     "io": {"core", "par", "grid"},
     "analysis": {"core", "par", "grid", "io"},
     "report": {"core", "config", "io", "analysis", "geom"},
+    "vision": {"core", "config", "io", "report"},
     "sim": {"core", "config", "par", "grid", "geom", "flow", "dem", "io", "analysis", "report"},
 }
 

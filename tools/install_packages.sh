@@ -4,7 +4,8 @@ set -euo pipefail
 packages=(
   build-essential cmake ninja-build ccache pkg-config git python3
   libopenmpi-dev openmpi-bin libhdf5-openmpi-dev
-  libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev libtiff-dev libpng-dev
+  libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev libopencv-videoio-dev
+  libtiff-dev libpng-dev
   libcli11-dev libfmt-dev libtomlplusplus-dev
   libgtest-dev libbenchmark-dev clang clang-format clang-tidy libclang-rt-14-dev
 )
