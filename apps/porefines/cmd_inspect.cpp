@@ -14,6 +14,7 @@
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
 #include "geom/metrics.hpp"
+#include "geom/pore_network.hpp"
 #include "geom/pore_size.hpp"
 #include "geom/stl.hpp"
 #include "inspection.hpp"

@@ -36,18 +36,31 @@ struct Basins {
 [[nodiscard]] Basins find_basins(const VoxelSolid& solid, Phase phase,
                                  const std::array<bool, 3>& periodic, const Merging& merging = {});
 
-/// A constriction between two pores.
+/// A constriction between two pores, seen as a short channel along its normal.
 struct Throat {
-  Vec3 centre;     ///< [m]
-  Vec3 across;     ///< unit vector along the shortest chord
+  Vec3 centre;     ///< [m] middle of the shortest chord
+  Vec3 across;     ///< unit vector along the shortest chord, normal to `normal`
   Real width = 0;  ///< [m] length of that chord, at least half a pixel
-  Vec3 from;       ///< [m] its ends on the grain surface
-  Vec3 to;
+  Vec3 from = {};  ///< [m] its ends on the grain surface
+  Vec3 to = {};
+  Vec3 normal = {};  ///< unit vector through the throat, along +axis of the flow where it is not 0
+  Real area = 0;     ///< [m^2] of the section normal to it; 2D: width times depth
+  Real behind = 0;   ///< [m] how far against the normal the gap stays below 5/4 width
+  Real ahead = 0;    ///< [m] and along it
+  std::int32_t pore_behind = -1;  ///< basins that it joins
+  std::int32_t pore_ahead = -1;
+};
+
+/// How throats lie in their sample.
+struct ThroatFrame {
+  int flow_axis = 0;
+  Real depth = 0;  ///< [m] of a 2D image; 0: one pixel
 };
 
 /// Throats: on each connected patch where two pore basins meet, the voxel of largest distance;
-/// its width is the shortest chord through it from wall to wall.
+/// its width is the shortest chord through it from wall to wall. In order of x, then y, then z.
 [[nodiscard]] std::vector<Throat> find_throats(const VoxelSolid& solid, const Basins& pores,
-                                               const std::array<bool, 3>& periodic);
+                                               const std::array<bool, 3>& periodic,
+                                               const ThroatFrame& frame = {});
 
 }  // namespace porefines::geom

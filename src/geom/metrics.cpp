@@ -7,9 +7,6 @@
 #include <numbers>
 #include <numeric>
 
-#include <fmt/format.h>
-
-#include "core/atomic_file.hpp"
 #include "geom/pore_size.hpp"
 
 namespace porefines::geom {
@@ -115,7 +112,8 @@ Metrics measure(const VoxelView& image, Real pixel, const Surroundings& beyond,
   out.specific_surface = surface_area(solid, depth) / bulk;
   out.pores = pore_sizes(solid);
   out.grains = grain_sizes(solid, periodic);
-  out.throats = find_throats(solid, find_basins(solid, Phase::pore, periodic), periodic);
+  out.throats = find_throats(solid, find_basins(solid, Phase::pore, periodic), periodic,
+                             {question.flow_axis, depth});
   const Real four = 4 * (question.cell_size > 0 ? question.cell_size : pixel);
   Real under = 0;
   for (const Throat& throat : out.throats) {
@@ -169,15 +167,6 @@ Json to_json(const Metrics& m, const Question& question) {
   json.set("smoothing_flipped_grain_voxels", m.smoothing.flipped_grains);
   json.set("smoothing_rescued_voxels", m.smoothing.rescued);
   return json;
-}
-
-void write_throats(const std::string& path, const std::vector<Throat>& throats) {
-  std::string text = "x_m,y_m,z_m,width_m,across_x,across_y,across_z\n";
-  for (const Throat& t : throats) {
-    text += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g},{:.5f},{:.5f},{:.5f}\n", t.centre.x,
-                        t.centre.y, t.centre.z, t.width, t.across.x, t.across.y, t.across.z);
-  }
-  write_file(path, text);
 }
 
 }  // namespace porefines::geom

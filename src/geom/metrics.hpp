@@ -56,7 +56,4 @@ struct Metrics {
 /// metrics.json: flat, SI, names with units.
 [[nodiscard]] Json to_json(const Metrics& metrics, const Question& question);
 
-/// throats.csv: x_m,y_m,z_m,width_m and the chord's unit vector.
-void write_throats(const std::string& path, const std::vector<Throat>& throats);
-
 }  // namespace porefines::geom

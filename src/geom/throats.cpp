@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MPL-2.0
 #include <algorithm>
-#include <limits>
-#include <numbers>
 #include <numeric>
 #include <tuple>
 
 #include "geom/basins.hpp"
 #include "geom/neighbours.hpp"
+#include "geom/thinning.hpp"
+#include "geom/throat_shape.hpp"
 
 namespace porefines::geom {
 
@@ -48,7 +48,7 @@ std::vector<Contact> find_contacts(const VoxelSolid& solid, const Basins& pores,
 
 /// The deepest contact of every connected patch within [first, past) of one pair of basins.
 void deepest_of_patches(const std::vector<Contact>& contacts, std::size_t first, std::size_t past,
-                        const Neighbours& around, std::vector<Index>& centres) {
+                        const Neighbours& around, std::vector<Contact>& centres) {
   std::vector<std::size_t> parent(past - first);
   std::iota(parent.begin(), parent.end(), std::size_t{0});
   const auto root = [&](std::size_t a) {
@@ -79,71 +79,18 @@ void deepest_of_patches(const std::vector<Contact>& contacts, std::size_t first,
   }
   for (const std::size_t best : deepest) {
     if (best != past) {
-      centres.push_back(contacts[best].voxel);
+      centres.push_back(contacts[best]);
     }
   }
-}
-
-/// Half of the directions, evenly spread: 48 in the plane, 160 on the sphere (Fibonacci lattice).
-std::vector<Vec3> half_directions(bool flat) {
-  std::vector<Vec3> out;
-  if (flat) {
-    for (int a = 0; a < 48; ++a) {
-      const Real angle = std::numbers::pi * a / 48;
-      out.push_back({std::cos(angle), std::sin(angle), 0});
-    }
-    return out;
-  }
-  constexpr int count = 160;
-  for (int a = 0; a < count; ++a) {
-    const Real z = (a + 0.5) / count;
-    const Real angle = 2 * std::numbers::pi * a / std::numbers::phi;
-    const Real r = std::sqrt(1 - z * z);
-    out.push_back({r * std::cos(angle), r * std::sin(angle), z});
-  }
-  return out;
-}
-
-/// Distance from x along e to the surface [m], at most `most`; marching by the distance itself.
-Real way_to_wall(const VoxelSolid& solid, const Vec3& x, const Vec3& e, Real most) {
-  const Real close = 0.01 * solid.pixel;
-  Real t = 0;
-  while (t < most) {
-    const Real s = signed_distance(solid, x + t * e);
-    if (s < close) {
-      return t + s;
-    }
-    t += std::max(0.9 * s, 2 * close);
-  }
-  return most;
-}
-
-Throat measure(const VoxelSolid& solid, const Vec3& x, const std::vector<Vec3>& directions) {
-  constexpr Real finest = 0.5;  // [pixels] what a voxel image can tell at all
-  Throat throat{x, {1, 0, 0}, std::numeric_limits<Real>::max(), x, x};
-  Real shortest = 8 * std::max(signed_distance(solid, x), solid.pixel);
-  for (const Vec3& e : directions) {
-    const Real ahead = way_to_wall(solid, x, e, shortest);
-    if (ahead >= shortest) {
-      continue;
-    }
-    const Real behind = way_to_wall(solid, x, -1 * e, shortest - ahead);
-    if (ahead + behind < shortest) {
-      shortest = ahead + behind;
-      throat = {x + 0.5 * (ahead - behind) * e, e, std::max(shortest, finest * solid.pixel),
-                x - behind * e, x + ahead * e};
-    }
-  }
-  return throat;
 }
 
 }  // namespace
 
 std::vector<Throat> find_throats(const VoxelSolid& solid, const Basins& pores,
-                                 const std::array<bool, 3>& periodic) {
+                                 const std::array<bool, 3>& periodic, const ThroatFrame& frame) {
   const auto contacts = find_contacts(solid, pores, periodic);
   const Neighbours around(solid.n, periodic, true);
-  std::vector<Index> centres;
+  std::vector<Contact> centres;
   for (std::size_t first = 0; first < contacts.size();) {
     std::size_t past = first + 1;
     while (past < contacts.size() && contacts[past].low == contacts[first].low &&
@@ -153,18 +100,19 @@ std::vector<Throat> find_throats(const VoxelSolid& solid, const Basins& pores,
     deepest_of_patches(contacts, first, past, around, centres);
     first = past;
   }
-  const Int3 n = solid.n;
-  const auto directions = half_directions(n[2] == 1);
+  const ThroatShape shape(solid, pores, periodic, frame);
   std::vector<Throat> throats;
-  for (const Index v : centres) {
-    const Int3 i{static_cast<int>(v % n[0]), static_cast<int>(v / n[0] % n[1]),
-                 static_cast<int>(v / (Index{n[0]} * n[1]))};
-    const Vec3 x{i[0] + 0.5, i[1] + 0.5, i[2] + 0.5};
-    const Throat throat = measure(solid, solid.pixel * x, directions);
-    if (throat.width < std::numeric_limits<Real>::max()) {
-      throats.push_back(throat);
+  for (const Contact& contact : centres) {
+    const Int3 i = position(solid.n, contact.voxel);
+    const Vec3 x = solid.pixel * Vec3{i[0] + 0.5, i[1] + 0.5, i[2] + 0.5};
+    if (const auto throat = shape.measure(x, contact.low, contact.high)) {
+      throats.push_back(*throat);
     }
   }
+  std::stable_sort(throats.begin(), throats.end(), [](const Throat& a, const Throat& b) {
+    return std::tie(a.centre.x, a.centre.y, a.centre.z) <
+           std::tie(b.centre.x, b.centre.y, b.centre.z);
+  });
   return throats;
 }
 
