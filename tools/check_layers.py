@@ -13,7 +13,7 @@ SEES = {
     "flow": {"core", "par", "grid"},
     "dem": {"core", "par", "grid", "geom"},
     "io": {"core", "par", "grid"},
-    "analysis": {"core", "par", "grid", "io"},
+    "analysis": {"core", "par", "grid", "geom", "io"},
     "report": {"core", "config", "io", "analysis", "geom"},
     "vision": {"core", "config", "io", "report"},
     "sim": {"core", "config", "par", "grid", "geom", "flow", "dem", "io", "analysis", "report"},

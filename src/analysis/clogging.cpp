@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MPL-2.0
+#include "analysis/clogging.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include <fmt/format.h>
+
+namespace porefines::analysis {
+namespace {
+
+using What = ClogEvent::What;
+
+/// Place among the resting of a retained particle, -1 when it is not.
+std::int32_t retained_place(const RestState& rest, std::uint64_t id) {
+  const auto found =
+      std::lower_bound(rest.resting.begin(), rest.resting.end(), id,
+                       [](const Resting& one, std::uint64_t other) { return one.id < other; });
+  return found != rest.resting.end() && found->id == id && found->retained
+             ? static_cast<std::int32_t>(found - rest.resting.begin())
+             : -1;
+}
+
+bool all_retained(const RestState& rest, const Clog& clog) {
+  return std::all_of(clog.ids.begin(), clog.ids.end(),
+                     [&](std::uint64_t id) { return retained_place(rest, id) >= 0; });
+}
+
+bool share_one(const std::vector<std::uint64_t>& a, const std::vector<std::uint64_t>& b) {
+  return std::any_of(a.begin(), a.end(), [&](std::uint64_t id) {
+    return std::find(b.begin(), b.end(), id) != b.end();
+  });
+}
+
+/// The clog at a throat that has a crowd; no ids when it is free.
+Clog look_at(const CloggingState& state, const Jam& jam, const Jam::Crowd& crowd, const Clog* old,
+             Real time) {
+  if (old != nullptr && all_retained(state.rest, *old)) {
+    return *old;
+  }
+  const Block block = jam.find_block(crowd);
+  Clog clog{crowd.throat, block.kind, {}, 0, 0, time};
+  for (const std::int32_t k : block.members) {
+    clog.ids.push_back(state.rest.resting[static_cast<std::size_t>(k)].id);
+  }
+  if (old != nullptr && share_one(clog.ids, old->ids)) {
+    clog.since = old->since;
+    clog.most = old->most;
+  }
+  return clog;
+}
+
+/// Clogs of this sample beside those before it: both in order of throat.
+std::vector<Clog> renew_clogs(const CloggingState& state, const Jam& jam, const RunSample& sample,
+                              std::vector<ClogEvent>& events) {
+  std::vector<Clog> now;
+  auto old = state.clogs.begin();
+  const auto release = [&](const Clog& clog) {
+    events.push_back({What::released, clog, sample.time, sample.pore_volumes});
+  };
+  for (const Jam::Crowd& crowd : jam.crowds()) {
+    for (; old != state.clogs.end() && old->throat < crowd.throat; ++old) {
+      release(*old);
+    }
+    const bool known = old != state.clogs.end() && old->throat == crowd.throat;
+    Clog clog = look_at(state, jam, crowd, known ? &*old : nullptr, sample.time);
+    if (known && clog.most == 0) {
+      release(*old);
+    }
+    if (!clog.ids.empty()) {
+      now.push_back(std::move(clog));
+    }
+    old += known ? 1 : 0;
+  }
+  std::for_each(old, state.clogs.end(), release);
+  return now;
+}
+
+/// Every retained particle goes with the clog that holds it over the fewest contacts; -1: with none.
+std::vector<std::int32_t> hold(const CloggingState& state, const Jam& jam) {
+  std::vector<std::int32_t> holder(state.rest.resting.size(), -1);
+  std::vector<std::int32_t> queue;
+  for (std::size_t c = 0; c < state.clogs.size(); ++c) {
+    for (const std::uint64_t id : state.clogs[c].ids) {
+      const std::int32_t k = retained_place(state.rest, id);
+      if (k >= 0 && holder[static_cast<std::size_t>(k)] < 0) {
+        holder[static_cast<std::size_t>(k)] = static_cast<std::int32_t>(c);
+        queue.push_back(k);
+      }
+    }
+  }
+  for (std::size_t head = 0; head < queue.size(); ++head) {
+    for (const std::int32_t k : jam.touching(queue[head])) {
+      if (holder[static_cast<std::size_t>(k)] < 0) {
+        holder[static_cast<std::size_t>(k)] = holder[static_cast<std::size_t>(queue[head])];
+        queue.push_back(k);
+      }
+    }
+  }
+  return holder;
+}
+
+/// Counts who is held and writes down every particle's fate.
+void set_fates(CloggingState& state, const Jam& jam, const RunSample& sample) {
+  const auto holder = hold(state, jam);
+  state.fates.assign(sample.id.size(), Fate::piping);
+  for (Clog& clog : state.clogs) {
+    clog.behind = -static_cast<Index>(clog.ids.size());
+  }
+  for (std::size_t k = 0; k < holder.size(); ++k) {
+    if (holder[k] >= 0) {
+      ++state.clogs[static_cast<std::size_t>(holder[k])].behind;
+    }
+    if (state.rest.resting[k].retained) {
+      state.fates[static_cast<std::size_t>(state.rest.place_in_sample[k])] =
+          holder[k] >= 0 ? Fate::clogged : Fate::resting;
+    }
+  }
+  for (Clog& clog : state.clogs) {
+    clog.behind = std::max<Index>(clog.behind, 0);  // one may be in the arches of two throats
+    for (const std::uint64_t id : clog.ids) {
+      const auto k = static_cast<std::size_t>(retained_place(state.rest, id));
+      if (clog.kind == ClogKind::arch) {
+        state.fates[static_cast<std::size_t>(state.rest.place_in_sample[k])] = Fate::bridging;
+      }
+    }
+  }
+  const auto count = [&](Fate fate) {
+    return static_cast<Index>(std::count(state.fates.begin(), state.fates.end(), fate));
+  };
+  state.counts = {count(Fate::piping) + sample.out, count(Fate::bridging), count(Fate::clogged),
+                  count(Fate::resting)};
+}
+
+const char* name_of(What what) {
+  return what == What::clogged ? "clogged" : what == What::grown ? "grown" : "released";
+}
+
+}  // namespace
+
+std::vector<ClogEvent> update_clogging(CloggingState& state, const RunSample& sample,
+                                       const geom::PoreNetwork& network, const RestRules& rest,
+                                       const BlockRules& rules) {
+  update_resting(state.rest, sample, rest, {network.size, network.periodic});
+  const Jam jam(network, sample, state.rest, rest, rules);
+  std::vector<ClogEvent> events;
+  state.clogs = renew_clogs(state, jam, sample, events);
+  set_fates(state, jam, sample);
+  for (Clog& clog : state.clogs) {
+    const Index size = static_cast<Index>(clog.ids.size()) + clog.behind;
+    if (size > clog.most) {
+      const What what = clog.most == 0 ? What::clogged : What::grown;
+      clog.most = size;
+      events.push_back({what, clog, sample.time, sample.pore_volumes});
+    }
+  }
+  std::stable_sort(events.begin(), events.end(), [](const ClogEvent& a, const ClogEvent& b) {
+    return a.clog.throat < b.clog.throat;
+  });
+  return events;
+}
+
+std::vector<std::string> clogging_columns() {
+  return {"time_s",  "pore_volumes", "throat", "x_m",       "y_m",    "z_m",
+          "width_m", "event",        "kind",   "particles", "behind", "ids"};
+}
+
+std::string clogging_rows(const std::vector<ClogEvent>& events, const geom::PoreNetwork& network) {
+  std::string text;
+  for (const ClogEvent& event : events) {
+    const Clog& clog = event.clog;
+    const geom::Throat& throat = network.throats[static_cast<std::size_t>(clog.throat)];
+    fmt::format_to(std::back_inserter(text),
+                   "{},{},{},{:.9g},{:.9g},{:.9g},{:.9g},{},{},{},{},{}\n", event.time,
+                   event.pore_volumes, clog.throat, throat.centre.x, throat.centre.y,
+                   throat.centre.z, throat.width, name_of(event.what), name_of(clog.kind),
+                   clog.ids.size(), clog.behind, fmt::join(clog.ids, " "));
+  }
+  return text;
+}
+
+}  // namespace porefines::analysis
