@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <mpi.h>
 
+#include "analysis/moments.hpp"
 #include "core/error.hpp"
 #include "dem/packing.hpp"
 #include "io/agree.hpp"
@@ -130,30 +131,26 @@ DryRun make_dry_run(const config::Case& the_case, const geom::Sample& sample,
 
 Moment look(const DryRun& run) {
   const dem::Particles& p = run.system.particles();
-  std::array<Real, 8> sums{};
+  analysis::MomentSums sums;
+  Real potential = 0;
   for (std::size_t i = 0; i < p.owned; ++i) {
-    const Vec3& x = p.position[i];
-    sums[0] += norm(p.velocity[i]);
-    for (int a = 0; a < 3; ++a) {
-      sums[1 + a] += x[a];
-      sums[4 + a] += x[a] * x[a];
-    }
-    sums[7] -= dot(p.external_force[i], x);
+    sums.add(p.position[i], p.velocity[i]);
+    potential -= dot(p.external_force[i], p.position[i]);
   }
-  run.comm.sum(sums);
+  run.comm.sum(sums.values);
+  potential = run.comm.sum(potential);
   Moment now;
   now.totals = run.system.totals();
   const auto count = std::max<Real>(static_cast<Real>(now.totals.particles), 1);
-  now.mean_speed = sums[0] / count;
-  for (int a = 0; a < 3; ++a) {
-    now.mean[a] = sums[1 + a] / count;
-    now.sigma[a] = std::sqrt(std::max(sums[4 + a] / count - now.mean[a] * now.mean[a], 0.0));
-  }
+  const analysis::Moments moments = analysis::moments_of(sums);
+  now.mean_speed = moments.mean_speed;
+  now.mean = moments.mean;
+  now.sigma = moments.sigma;
   now.coordination = 2 * static_cast<Real>(now.totals.contacts) / count;
   now.max_overlap = run.system.largest_overlap();
   now.energy = has_energy_balance(run.the_case)
                    ? now.totals.kinetic + now.totals.rotational + now.totals.elastic +
-                         now.totals.potential + sums[7]
+                         now.totals.potential + potential
                    : std::nan("");
   const EnergyBook& book = run.state.energy;
   now.energy_lost = book.start + book.injected - book.out - now.energy;
