@@ -208,12 +208,13 @@ std::vector<ThroatShape::Gap> ThroatShape::gaps(const Throat& throat, Real sign)
   for (Real gone = step; gone <= longest * throat.width; gone += step) {
     x += sign * step * throat.normal;
     if (signed_distance(solid_, x) <= 0) {
-      break;
+      return out;
     }
     const Real up = way_to_wall(solid_, x, throat.across, most);
     const Real down = way_to_wall(solid_, x, -1 * throat.across, most);
-    if (up + down > most) {
-      break;
+    if (up + down >= most) {
+      out.push_back({x, up + down, gone});
+      return out;
     }
     x += 0.5 * (up - down) * throat.across;
     out.push_back({x, up + down, gone});
@@ -222,8 +223,11 @@ std::vector<ThroatShape::Gap> ThroatShape::gaps(const Throat& throat, Real sign)
 }
 
 Real ThroatShape::extent(const Throat& throat, Real sign) const {
-  const auto along = gaps(throat, sign);
-  return along.empty() ? 0 : along.back().gone;
+  Real gone = 0;
+  for (const Gap& gap : gaps(throat, sign)) {
+    gone = gap.width < wider * throat.width ? gap.gone : gone;
+  }
+  return gone;
 }
 
 /// The watershed meets near the saddle of the distance, not on it; in a channel anywhere.
@@ -238,9 +242,11 @@ Vec3 ThroatShape::middle_of_narrowest(const Throat& throat) const {
   // walls drawn in pixels: the gap of a slanted channel varies by 0.64 pixels in the test
   const Real ripple = std::max(0.7 * solid_.pixel, 0.02 * throat.width);
   const auto beyond = [&](const Gap& gap) { return gap.width > least->width + ripple; };
-  const auto last = std::find_if(least, line.end(), beyond) - 1;
+  const auto last = std::find_if(least, line.end(), beyond);
   const auto first = std::find_if(std::make_reverse_iterator(least), line.rend(), beyond).base();
-  return (first + (last - first) / 2)->middle;
+  // a gap that does not open again ends in a cleft where grains meet, or the line was cut short
+  const bool opens = first != line.begin() && last != line.end();
+  return opens ? (first + (last - 1 - first) / 2)->middle : throat.centre;
 }
 
 std::int32_t ThroatShape::basin_at(const Vec3& x) const {

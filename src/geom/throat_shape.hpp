@@ -36,7 +36,7 @@ class ThroatShape {
   [[nodiscard]] Real section(const Throat& throat, const Vec3& normal, int rays) const;
   void follow_middle(Throat& throat) const;
   void orient(Throat& throat, std::int32_t low, std::int32_t high) const;
-  /// The gap at one place along the normal.
+  /// The gap at one place along the normal; the last one may be wider than a throat.
   struct Gap {
     Vec3 middle;
     Real width;
