@@ -22,6 +22,13 @@ struct Run {
   friend bool operator==(const Run&, const Run&) = default;
 };
 
+/// [checkpoint]: from which a run can go on.
+struct Checkpoint {
+  Real every = 900;  ///< [s] of wall time
+  int keep = 2;      ///< how many, the newest included
+  friend bool operator==(const Checkpoint&, const Checkpoint&) = default;
+};
+
 enum class GeometryKind { image, spheres, cylinders, empty };
 enum class Keep { all, percolating };  ///< which pores stay open
 enum class Surface { smooth, voxel };  ///< sub-pixel surface, or the pixel staircase itself
@@ -119,6 +126,7 @@ struct Case {
   std::vector<Particles> particles;
   std::vector<Injection> injection;
   std::vector<Shape> surface;
+  Checkpoint checkpoint;
   std::vector<Output> output{{OutputKind::fields}, {OutputKind::pictures}};
   friend bool operator==(const Case&, const Case&) = default;
 };

@@ -88,7 +88,6 @@ std::vector<Key> later_keys() {
       later_key("flow.velocity_tolerance", "one tolerance covers the solve: pressure_tolerance"),
       later_key("colloid", "particles have contact forces and gravity, no surface forces yet"),
       later_key("coupling", "this version moves particles without a fluid"),
-      later_key("checkpoint", "this version cannot continue a run"),
       later_key("compare", "compare summary.json with your data by hand"),
   };
 }

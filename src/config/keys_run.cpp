@@ -76,6 +76,12 @@ std::vector<Key> run_keys() {
                    "required with moving particles", "simulated time at which the run ends"),
       quantity_key("run.max_wall", &Case::run, &Run::max_wall, kind::time, above_zero, "no limit",
                    "wall time after which the run ends, with its results so far"),
+      quantity_key(
+          "checkpoint.every", &Case::checkpoint, &Checkpoint::every, kind::time, above_zero, "",
+          "wall time between two checkpoint.h5, from which `--restart` goes on; one more is "
+          "written at the end, at SIGINT and at SIGTERM"),
+      integer_key("checkpoint.keep", &Case::checkpoint, &Checkpoint::keep, Range{1, 9},
+                  "how many of them stay: checkpoint_1.h5 is the one before checkpoint.h5"),
   };
 }
 

@@ -8,68 +8,15 @@
 #include "core/error.hpp"
 #include "core/progress.hpp"
 #include "core/signals.hpp"
-#include "io/series.hpp"
 #include "sim/domain.hpp"
+#include "sim/dry_checkpoint.hpp"
+#include "sim/dry_output.hpp"
 #include "sim/dry_results.hpp"
 #include "sim/dry_state.hpp"
-#include "sim/particle_setup.hpp"
 #include "sim/session.hpp"
-#include "sim/tracks.hpp"
 
 namespace porefines::sim {
 namespace {
-
-/// Where results go; the tables are open on rank 0 alone.
-struct Sink {
-  std::string folder;
-  io::Provenance provenance;
-  std::optional<io::SeriesWriter> series;
-  std::optional<io::SeriesWriter> tracks;
-};
-
-Sink open_sink(const std::string& folder, const DryRun& run, const io::Provenance& provenance) {
-  Sink sink{folder, provenance, {}, {}};
-  on_root(run.comm, [&] {
-    sink.series.emplace(folder + "/series.csv", series_columns());
-    if (const auto* output = config::find_output(run.the_case, config::OutputKind::tracks)) {
-      sink.tracks.emplace(folder + "/tracks.csv", track_columns(output->forces));
-    }
-  });
-  return sink;
-}
-
-/// Is the next sample of this output now?
-bool is_due(const DryRun& run, config::OutputKind kind, Index written) {
-  const Real due = static_cast<Real>(written) * sample_interval(run.the_case, kind);
-  return is_sampled(run.the_case, kind) && run.state.time >= due * (1 - 1e-12);
-}
-
-/// @param left  rows of those that left, for tracks.csv
-void write_due(DryRun& run, Sink& sink, const std::string& left) {
-  std::string rows = left;
-  if (is_due(run, config::OutputKind::tracks, run.state.tracked)) {
-    rows += track_rows(run);
-    ++run.state.tracked;
-  }
-  std::optional<Moment> now;
-  if (is_due(run, config::OutputKind::summary, run.state.samples)) {
-    now = look(run);
-    ++run.state.samples;
-  }
-  on_root(run.comm, [&] {
-    if (sink.tracks && !rows.empty()) {
-      sink.tracks->append_lines(rows);
-    }
-    if (now) {
-      sink.series->append(series_row(run, *now));
-    }
-  });
-  if (is_due(run, config::OutputKind::pictures, run.state.drawn)) {
-    draw_dry(fmt::format("{}/particles_{:05}.png", sink.folder, run.state.drawn), run,
-             sink.provenance);
-    ++run.state.drawn;
-  }
-}
 
 /// What ended the loop.
 struct Outcome {
@@ -78,8 +25,25 @@ struct Outcome {
   std::string error;  ///< to throw when everything is written
 };
 
+/// Is it time to leave? Collective.
+std::optional<Outcome> reason_to_stop(const DryRun& run, Real wall_time) {
+  if (const int signal = signal_anywhere(run.comm); signal != 0) {
+    return Outcome{
+        {"interrupted", fmt::format("signal {}", signal)}, exit_code::signal_base + signal, ""};
+  }
+  const Real limit = run.the_case.run.max_wall;
+  if (limit > 0 && wall_time > limit) {
+    return Outcome{{"stopped", "max_wall"},
+                   exit_code::stopped_itself,
+                   fmt::format("run.max_wall is over at {:.6g} s of {:.6g} s; results are those so "
+                               "far, and --restart goes on",
+                               run.state.time, run.the_case.run.end_time)};
+  }
+  return {};
+}
+
 /// The rows of the moment, the loop, and why it ended.
-Outcome simulate(DryRun& run, Sink& sink, const Stopwatch& watch) {
+Outcome simulate(DryRun& run, Sink& sink, const Stopwatch& watch, Log& log) {
   std::optional<Progress> progress;
   if (run.comm.is_root()) {
     progress.emplace("run");
@@ -98,27 +62,25 @@ Outcome simulate(DryRun& run, Sink& sink, const Stopwatch& watch) {
     if (progress) {
       progress->update(run.state.time / end);
     }
-    if (const int signal = signal_anywhere(run.comm); signal != 0) {
-      return {
-          {"interrupted", fmt::format("signal {}", signal)}, exit_code::signal_base + signal, ""};
+    const Real wall_time = run.comm.max(watch.seconds());
+    if (const auto stop = reason_to_stop(run, wall_time)) {
+      save(run, sink, wall_time, log);
+      return *stop;
     }
-    const Real limit = run.the_case.run.max_wall;
-    if (limit > 0 && run.comm.max(watch.seconds()) > limit) {
-      return {{"stopped", "max_wall"},
-              exit_code::stopped_itself,
-              fmt::format("run.max_wall is over at {:.6g} s of {:.6g} s; results are those so far",
-                          run.state.time, end)};
+    if (wall_time - sink.saved >= run.the_case.checkpoint.every) {
+      save(run, sink, wall_time, log);
     }
   }
+  save(run, sink, run.comm.max(watch.seconds()), log);
   return {};
 }
 
 /// The same, with errors as an ending: what there is will be written before they are reported.
-Outcome simulate_safely(DryRun& run, Sink& sink, const Stopwatch& watch) {
+Outcome simulate_safely(DryRun& run, Sink& sink, const Stopwatch& watch, Log& log) {
   std::string error;
   Outcome outcome;
   try {
-    outcome = simulate(run, sink, watch);
+    outcome = simulate(run, sink, watch, log);
   } catch (const RunError& failure) {
     error = failure.what();
   }
@@ -156,20 +118,26 @@ void say_result(Log& log, const DryRun& run, const Outcome& outcome, const std::
   log.info("results    {}", folder);
 }
 
+/// The particles of the start, or those of the checkpoint. @return remarks
+std::vector<std::string> begin(DryRun& run, const RunOptions& options) {
+  if (!options.restart) {
+    return place_particles(run);
+  }
+  go_on(run, options.output_dir);
+  return {fmt::format("as they were at {:.6g} s, step {}", run.state.time, run.state.steps)};
+}
+
 }  // namespace
 
 int run_dry(const config::Case& the_case, const RunOptions& options,
             const par::Communicator& comm) {
   const Stopwatch watch;
   const io::Provenance provenance = io::make_provenance(comm.size(), the_case.run.random_seed);
-  if (options.restart) {
-    throw InputError("this version writes no checkpoint of particles: run it without --restart");
-  }
   const geom::Sample sample = geom::build_sample(geometry_spec(the_case), comm.handle());
-  std::vector<std::string> remarks;
-  DryRun run = make_dry_run(the_case, sample, comm, remarks);
-  const std::vector<std::string> story = describe_dry(run, remarks);
+  DryRun run = make_dry_run(the_case, sample, comm);
   const std::string& folder = options.output_dir;
+  const std::vector<std::string> remarks = begin(run, options);
+  const std::vector<std::string> story = describe_dry(run, remarks);
   if (options.dry_run) {
     on_root(comm, [&] { make_folder(folder); });
     draw_dry(folder + "/particles.png", run, provenance);
@@ -177,10 +145,11 @@ int run_dry(const config::Case& the_case, const RunOptions& options,
     say(log, comm, provenance, story);
     return exit_code::done;
   }
-  Log log = open_folder(folder, the_case, comm);
+  const Start start = options.restart ? Start::resumed : Start::fresh;
+  Log log = open_folder(folder, the_case, comm, start);
   say(log, comm, provenance, story);
-  Sink sink = open_sink(folder, run, provenance);
-  Outcome outcome = simulate_safely(run, sink, watch);
+  Sink sink = open_sink(folder, run, provenance, start);
+  Outcome outcome = simulate_safely(run, sink, watch, log);
   outcome.ending.wall_time = watch.seconds();
   write_results(folder, run, outcome, provenance);
   say_result(log, run, outcome, folder);

@@ -21,8 +21,8 @@ struct EnergyBook {
   Real out = 0;
 };
 
-/// What a dry run remembers besides the particles: the same on every rank; with System::save() all
-/// that a checkpoint will need.
+/// What a dry run remembers besides the particles: the same on every rank. With System::save() all
+/// that a checkpoint needs (dry_checkpoint.cpp).
 struct DryState {
   Real time = 0;  ///< [s]
   Index steps = 0;
@@ -45,10 +45,15 @@ struct DryRun {
   DryState state;
 };
 
-/// Sets up box, walls and the first particles. Collective.
+/// Sets up box and walls; no particles yet. Collective.
 /// @throws InputError  anything wrong with them; nothing was run
 [[nodiscard]] DryRun make_dry_run(const config::Case& the_case, const geom::Sample& sample,
-                                  const par::Communicator& comm, std::vector<std::string>& remarks);
+                                  const par::Communicator& comm);
+
+/// Puts in the particles of the start. Collective.
+/// @return remarks for the user
+/// @throws InputError  as make_dry_run
+[[nodiscard]] std::vector<std::string> place_particles(DryRun& run);
 
 /// The sums of the moment. Energy is NaN where there is no balance: a force along a periodic axis
 /// has no potential, moving walls do work.
@@ -68,6 +73,9 @@ struct Moment {
 
 /// [J] potential of the external force on the particles, and NaN where there is none.
 [[nodiscard]] bool has_energy_balance(const config::Case& the_case);
+
+/// Gives every particle the force of its species.
+void set_forces(DryRun& run);
 
 // The sentences of the loop; all collective.
 

@@ -9,21 +9,27 @@
 #include "core/atomic_file.hpp"
 #include "core/json.hpp"
 #include "core/signals.hpp"
+#include "io/checkpoint.hpp"
 
 namespace porefines::sim {
 
 Log open_folder(const std::string& folder, const config::Case& the_case,
-                const par::Communicator& comm) {
+                const par::Communicator& comm, Start start) {
+  const bool resumed = start == Start::resumed;
   on_root(comm, [&] {
     make_folder(folder);
-    for (const std::string stale : {"summary.json", "speed.png", "pressure.png", "particles.png",
-                                    "series.csv", "tracks.csv"}) {
+    for (const std::string stale : {"summary.json", "speed.png", "pressure.png", "particles.png"}) {
       std::filesystem::remove(folder + "/" + stale);
+    }
+    if (!resumed) {
+      std::filesystem::remove(folder + "/series.csv");
+      std::filesystem::remove(folder + "/tracks.csv");
+      io::remove_checkpoints(folder);
     }
     write_file(folder + "/case.toml", config::effective_case(the_case));
   });
   std::optional<Log> log;
-  on_root(comm, [&] { log.emplace(folder + "/log.txt", &std::cout); });
+  on_root(comm, [&] { log.emplace(folder + "/log.txt", &std::cout, resumed); });
   return log ? std::move(*log) : Log("", nullptr);
 }
 

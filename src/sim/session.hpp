@@ -39,10 +39,13 @@ void on_root(const par::Communicator& comm, const Work& work) {
   io::throw_everywhere(comm.handle(), failure);
 }
 
+enum class Start { fresh, resumed };
+
 /// The output folder on rank 0, without the results of an earlier run: a run that stops must not
-/// leave numbers that look like its own. Collective. @return log.txt; silent on the other ranks
+/// leave numbers that look like its own. A resumed one keeps tables, checkpoints and the log.
+/// Collective. @return log.txt; silent on the other ranks
 [[nodiscard]] Log open_folder(const std::string& folder, const config::Case& the_case,
-                              const par::Communicator& comm);
+                              const par::Communicator& comm, Start start = Start::fresh);
 
 /// Version, commit and the plan, at the head of the log.
 void say(Log& log, const par::Communicator& comm, const io::Provenance& provenance,

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -96,6 +97,12 @@ class Background {
   }
 
   void send(int signal) const { kill(process_, signal); }
+
+  /// From now on it can write no file beyond so many bytes.
+  void limit_files(rlim_t bytes) const {
+    const rlimit limit{bytes, RLIM_INFINITY};
+    prlimit(process_, RLIMIT_FSIZE, &limit, nullptr);
+  }
 
   /// Waits for its end.
   ProgramResult end() {

@@ -149,7 +149,7 @@ TEST(ConfigErrors, absurd_values_are_refused) {
 }
 
 TEST(ConfigErrors, what_later_versions_bring_is_named) {
-  for (const std::string table : {"colloid", "coupling", "checkpoint"}) {
+  for (const std::string table : {"colloid", "coupling"}) {
     const std::string message = message_of(box_case + "[" + table + "]\nx = 1\n");
     EXPECT_TRUE(message.starts_with("x.toml:11: [" + table + "]: not available in this version\n"))
         << message;

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <string>
+
+#include "io/provenance.hpp"
+#include "sim/dry_state.hpp"
+
+namespace porefines::sim {
+
+/// Everything that the run needs to go on, in <folder>/checkpoint.h5. Collective.
+/// @throws RunError  on every rank; the checkpoint before stays
+void write_checkpoint(const DryRun& run, const std::string& folder,
+                      const io::Provenance& provenance);
+
+/// Puts a run that was just made where the folder's checkpoint is. Collective.
+/// @throws InputError  there is none, or it is of another case: with the key that differs
+void go_on(DryRun& run, const std::string& folder);
+
+/// The first line that differs between two effective cases: "contact.friction was ..., is ...", or "".
+/// When and where results are written may differ, and the time at which the run ends.
+/// Test: unit/same_case.
+[[nodiscard]] std::string difference_of_cases(const std::string& before, const std::string& now);
+
+}  // namespace porefines::sim

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MPL-2.0
+#include "sim/dry_output.hpp"
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "sim/dry_checkpoint.hpp"
+#include "sim/dry_results.hpp"
+#include "sim/tracks.hpp"
+
+namespace porefines::sim {
+namespace {
+
+io::SeriesWriter open_table(const std::string& path, const std::vector<std::string>& names,
+                            Real time, Start start) {
+  return start == Start::resumed ? io::SeriesWriter::resume(path, names, time)
+                                 : io::SeriesWriter(path, names);
+}
+
+/// Is the next sample of this output now?
+bool is_due(const DryRun& run, config::OutputKind kind, Index written) {
+  const Real due = static_cast<Real>(written) * sample_interval(run.the_case, kind);
+  return is_sampled(run.the_case, kind) && run.state.time >= due * (1 - 1e-12);
+}
+
+}  // namespace
+
+Sink open_sink(const std::string& folder, const DryRun& run, const io::Provenance& provenance,
+               Start start) {
+  Sink sink{folder, provenance};
+  on_root(run.comm, [&] {
+    const Real time = run.state.time;
+    sink.series.emplace(open_table(folder + "/series.csv", series_columns(), time, start));
+    if (const auto* output = config::find_output(run.the_case, config::OutputKind::tracks)) {
+      sink.tracks.emplace(
+          open_table(folder + "/tracks.csv", track_columns(output->forces), time, start));
+    }
+  });
+  return sink;
+}
+
+void write_due(DryRun& run, Sink& sink, const std::string& left) {
+  std::string rows = left;
+  if (is_due(run, config::OutputKind::tracks, run.state.tracked)) {
+    rows += track_rows(run);
+    ++run.state.tracked;
+  }
+  std::optional<Moment> now;
+  if (is_due(run, config::OutputKind::summary, run.state.samples)) {
+    now = look(run);
+    ++run.state.samples;
+  }
+  on_root(run.comm, [&] {
+    if (sink.tracks && !rows.empty()) {
+      sink.tracks->append_lines(rows);
+    }
+    if (now) {
+      sink.series->append(series_row(run, *now));
+    }
+  });
+  if (is_due(run, config::OutputKind::pictures, run.state.drawn)) {
+    draw_dry(fmt::format("{}/particles_{:05}.png", sink.folder, run.state.drawn), run,
+             sink.provenance);
+    ++run.state.drawn;
+  }
+}
+
+void save(const DryRun& run, Sink& sink, Real wall_time, Log& log) {
+  sink.saved = wall_time;
+  try {
+    write_checkpoint(run, sink.folder, sink.provenance);
+    log.info("checkpoint at {:.9g} s, step {}", run.state.time, run.state.steps);
+  } catch (const RunError& failure) {
+    log.warn("no checkpoint at {:.6g} s: {}", run.state.time, failure.what());
+  }
+}
+
+}  // namespace porefines::sim

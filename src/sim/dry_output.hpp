@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "io/provenance.hpp"
+#include "io/series.hpp"
+#include "sim/dry_state.hpp"
+#include "sim/session.hpp"
+
+namespace porefines::sim {
+
+/// Where results go on the way; the tables are open on rank 0 alone.
+struct Sink {
+  std::string folder;
+  io::Provenance provenance;
+  std::optional<io::SeriesWriter> series = {};
+  std::optional<io::SeriesWriter> tracks = {};
+  Real saved = 0;  ///< [s] of wall time at the last checkpoint
+};
+
+/// Starts the tables, or continues them after run.state.time: what an earlier run wrote later goes.
+/// Collective.
+[[nodiscard]] Sink open_sink(const std::string& folder, const DryRun& run,
+                             const io::Provenance& provenance, Start start);
+
+/// Writes the samples that are due. Collective.
+/// @param left  rows of those that left, for tracks.csv
+void write_due(DryRun& run, Sink& sink, const std::string& left);
+
+/// Writes a checkpoint; a failure is a warning, since the run has its worth without. Collective.
+void save(const DryRun& run, Sink& sink, Real wall_time, Log& log);
+
+}  // namespace porefines::sim

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MPL-2.0
+// How far and how finely a dry run goes on, and whether it may.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "sim/dry_state.hpp"
+#include "sim/tracks.hpp"
+
+namespace porefines::sim {
+namespace {
+
+constexpr Index longest_stretch = 500;  ///< steps between two looks at signals and open faces
+
+/// [m/s] of the fastest particle of all ranks.
+Real top_speed(const DryRun& run) {
+  const dem::Particles& p = run.system.particles();
+  Real square = 0;
+  for (std::size_t i = 0; i < p.owned; ++i) {
+    square = std::max(square, dot(p.velocity[i], p.velocity[i]));
+  }
+  return run.comm.max(std::sqrt(square));
+}
+
+/// [m] and [m/s^2]: the smallest radius there is, and the largest acceleration by gravity and forces.
+struct Scales {
+  Real radius = 0;
+  Real acceleration = 0;
+};
+
+Scales scales_of(const DryRun& run) {
+  Scales s{std::numeric_limits<Real>::max(), norm(run.system.settings().gravity)};
+  const dem::Particles& p = run.system.particles();
+  Real push = 0;
+  for (std::size_t i = 0; i < p.owned; ++i) {
+    s.radius = std::min(s.radius, p.radius[i]);
+    push = std::max(push, norm(p.external_force[i]) * p.inverse_mass[i]);
+  }
+  for (const dem::Inlet& inlet : run.inlets) {
+    s.radius = std::min(s.radius, dem::smallest_diameter(inlet.sizes) / 2);
+  }
+  s.radius = run.comm.min(s.radius);
+  s.acceleration += run.comm.max(push);
+  return s;
+}
+
+/// [s] of the next sample of any output after now, or the end.
+Real next_sample(const DryRun& run) {
+  using enum config::OutputKind;
+  Real next = run.the_case.run.end_time;
+  for (const auto& [kind, written] : {std::pair{summary, run.state.samples},
+                                      {tracks, run.state.tracked},
+                                      {pictures, run.state.drawn}}) {
+    const auto at = static_cast<Real>(std::max<Index>(written, 1));  // the first is written at 0
+    if (is_sampled(run.the_case, kind)) {
+      next = std::min(next, at * sample_interval(run.the_case, kind));
+    }
+  }
+  return next;
+}
+
+}  // namespace
+
+Stretch choose_stretch(const DryRun& run) {
+  const Scales scales = scales_of(run);
+  const Real left = next_sample(run) - run.state.time;
+  Real speed = top_speed(run);
+  for (const dem::Inlet& inlet : run.inlets) {
+    speed = std::max(speed, inlet.velocity);
+  }
+  // An impact as fast as after falling a radius from rest: nothing gentler needs a step of its own.
+  const Real slowest = std::sqrt(2 * scales.acceleration * scales.radius);
+  const Real impact = std::max({2 * speed, slowest, 1e-9});
+  const Real duration = run.system.contact_duration(impact);
+  const Real way = scales.radius / impact;  // in which the fastest goes half a radius
+  const Real longest =
+      std::min({duration / run.the_case.contact.steps_per_contact, way / 10, left});
+  Real stretch = std::min(left, static_cast<Real>(longest_stretch) * longest);
+  if (!run.inlets.empty()) {
+    stretch = std::min(stretch, way);  // or what enters would be late by more than its radius
+  }
+  const auto count = std::max<Index>(1, static_cast<Index>(std::ceil(stretch / longest - 1e-9)));
+  return {stretch / static_cast<Real>(count), count};
+}
+
+void advance(DryRun& run, const Stretch& stretch) {
+  run.system.advance(stretch.step, stretch.count);
+  const Real due = next_sample(run);
+  const Real time = run.state.time + stretch.step * static_cast<Real>(stretch.count);
+  run.state.time = std::abs(time - due) <= 1e-9 * stretch.step ? due : time;
+  run.state.steps += stretch.count;
+  run.state.step = stretch.step;
+}
+
+void require_healthy(const DryRun& run) {
+  const Real overlap = run.system.largest_overlap();
+  const Real most = run.the_case.contact.max_overlap;
+  if (overlap <= most) {
+    return;
+  }
+  Real young = 0;
+  for (const config::Particles& p : run.the_case.particles) {
+    young = std::max(young, p.young);
+  }
+  throw RunError(fmt::format(
+      "two particles, or one and a wall, overlap by {:.3g} of a radius at {:.6g} s; [contact] "
+      "max_overlap is {:.3g}\ntry young = \"{:.2g} Pa\" (now {:.2g} Pa), since overlaps go with "
+      "young^"
+      "(-2/5); or a larger max_overlap",
+      overlap, run.state.time, most, 1.2 * young * std::pow(overlap / most, 2.5), young));
+}
+
+}  // namespace porefines::sim
