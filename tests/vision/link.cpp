@@ -36,10 +36,6 @@ std::vector<Path> link(const std::vector<Spots>& frames, cv::Size size, Real ran
       out.push_back(std::move(path));
     }
   }
-  std::printf(
-      "   guide %.1f (first %.1f) surprise %.2f persistence %.2f deviation %.2f spread %.2f\n",
-      learnt.guide.cell, guide.cell, learnt.surprise, linker.motion().persistence,
-      linker.motion().deviation, linker.motion().spread);
   if (motion != nullptr) {
     *motion = linker.motion();
   }
