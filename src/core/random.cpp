@@ -66,8 +66,10 @@ Real Draws::lognormal(Real mean, Real standard_deviation) {
 std::int64_t Draws::poisson(Real mean) {
   // Waiting times are exponential: count how many fit into `mean`.
   std::int64_t events = 0;
-  for (Real time = -std::log(1 - uniform()); time < mean; time -= std::log(1 - uniform())) {
+  Real time = -std::log(1 - uniform());
+  while (time < mean) {
     ++events;
+    time -= std::log(1 - uniform());
   }
   return events;
 }

@@ -125,7 +125,10 @@ std::vector<std::uint8_t> PairContacts::marked_near(std::size_t particles) const
 }
 
 void PairContacts::find_touching(const Particles& p) {
-  const Real* x = p.position.empty() ? nullptr : &p.position[0].x;
+  if (near_.pair.empty()) {
+    return;
+  }
+  const Real* x = &p.position[0].x;
   const std::int32_t* first = near_.first.data();
   const std::int32_t* second = near_.second.data();
   const Real* range = near_.range.data();

@@ -25,52 +25,67 @@ Real stored(const ContactModel& model, const PairMaterial& pair, const ContactSt
                                : energy;
 }
 
-/// What is summed over ranks, as plain numbers.
-struct Sums {
-  std::array<Real, 13> values{};
-  void add(int at, const Vec3& v) {
-    values[at] += v.x, values[at + 1] += v.y, values[at + 2] += v.z;
-  }
+/// Adds up the contacts and their energy; those across ranks count half on each.
+struct ContactSums {
+  Real pairs = 0;
+  Real walls = 0;
+  Real elastic = 0;
 };
 
 }  // namespace
 
 Totals System::totals() const {
   const Particles& p = particles_;
-  Sums sums;
-  auto& [particles, contacts, wall_contacts, mx, my, mz, ax, ay, az, kinetic, rotational, elastic,
-         potential] = sums.values;
-  particles = static_cast<Real>(p.owned);
+  Vec3 momentum;
+  Vec3 angular;
+  Real kinetic = 0;
+  Real rotational = 0;
+  Real potential = 0;
   for (std::size_t i = 0; i < p.owned; ++i) {
-    sums.add(3, p.mass[i] * p.velocity[i]);
-    sums.add(
-        6, p.mass[i] * cross(p.position[i], p.velocity[i]) + p.inertia(i) * p.angular_velocity[i]);
+    momentum += p.mass[i] * p.velocity[i];
+    angular +=
+        p.mass[i] * cross(p.position[i], p.velocity[i]) + p.inertia(i) * p.angular_velocity[i];
     kinetic += 0.5 * p.mass[i] * dot(p.velocity[i], p.velocity[i]);
     rotational += 0.5 * p.inertia(i) * dot(p.angular_velocity[i], p.angular_velocity[i]);
     potential -= p.mass[i] * dot(settings_.gravity, p.position[i]);
   }
+  ContactSums contacts;
   pairs_.for_touching([&](std::uint32_t i, std::uint32_t j, const ContactHistory& history) {
     const Real share = j < p.owned ? 1 : 0.5;  // the other half is on the ghost's owner
-    contacts += share;
+    contacts.pairs += share;
     const PairMaterial& pair = settings_.materials.pair(p.species[i], p.species[j]);
-    elastic += share * stored(settings_.model, pair, pair_state(p, i, j), history);
+    contacts.elastic += share * stored(settings_.model, pair, pair_state(p, i, j), history);
   });
   walls_.for_contacts(p, settings_.materials,
                       [&](std::uint32_t /*i*/, const PairMaterial& pair, const ContactState& c,
                           const ContactHistory& h, Real share, std::uint32_t /*feature*/) {
-                        wall_contacts += 1;
-                        elastic += share * stored(settings_.model, pair, c, h);
+                        contacts.walls += 1;
+                        contacts.elastic += share * stored(settings_.model, pair, c, h);
                       });
-  comm_.sum(sums.values);
-  return {static_cast<Index>(std::llround(particles)),
-          static_cast<Index>(std::llround(contacts)),
-          static_cast<Index>(std::llround(wall_contacts)),
-          {mx, my, mz},
-          {ax, ay, az},
-          kinetic,
-          rotational,
-          elastic,
-          potential};
+  std::array<Real, 13> sums{static_cast<Real>(p.owned),
+                            contacts.pairs,
+                            contacts.walls,
+                            momentum.x,
+                            momentum.y,
+                            momentum.z,
+                            angular.x,
+                            angular.y,
+                            angular.z,
+                            kinetic,
+                            rotational,
+                            contacts.elastic,
+                            potential};
+  comm_.sum(sums);
+  const auto whole = [&sums](int at) { return static_cast<Index>(std::llround(sums[at])); };
+  return {whole(0),
+          whole(1),
+          whole(2),
+          {sums[3], sums[4], sums[5]},
+          {sums[6], sums[7], sums[8]},
+          sums[9],
+          sums[10],
+          sums[11],
+          sums[12]};
 }
 
 std::vector<ContactRecord> System::contacts() const {

@@ -38,9 +38,9 @@ class BridgeSearch {
   /// A cell on the way from the root: where it is, the face it was entered by, the next to look at.
   struct Step {
     Int3 cell;
-    std::int8_t
+    std::uint8_t
         entered;  ///< direction 2 axis + (1: high side) of the face to the cell before; 6: root
-    std::int8_t next;
+    std::uint8_t next;
   };
 
   /// The face itself, not its copy behind a periodic border.
@@ -67,7 +67,7 @@ class BridgeSearch {
   void enter(const Int3& cell, int entered) {
     const std::ptrdiff_t at = level_.block.at(cell[0], cell[1], cell[2]);
     order_[at] = low_[at] = ++count_;
-    path_.push_back({cell, static_cast<std::int8_t>(entered), 0});
+    path_.push_back({cell, static_cast<std::uint8_t>(entered), 0});
   }
   void search_from(const Int3& root) {
     enter(root, 6);
