@@ -6,6 +6,7 @@ packages=(
   libopenmpi-dev openmpi-bin libhdf5-openmpi-dev
   libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev libopencv-videoio-dev
   libtiff-dev libpng-dev
+  libavformat-dev libavcodec-dev libswscale-dev
   libcli11-dev libfmt-dev libtomlplusplus-dev
   libgtest-dev libbenchmark-dev clang clang-format clang-tidy libclang-rt-14-dev
 )
