@@ -76,6 +76,10 @@ Lch curve(Colormap map, Real t) {
     case Colormap::pressure:
       return {mix(0.96, 0.28, t), 0.11 * std::sin(std::numbers::pi * (0.1 + 0.66 * t)),
               mix(215, 268, t)};
+    case Colormap::pale:
+      return {mix(0.975, 0.57, t), mix(0.01, 0.13, t), mix(220, 252, t)};
+    case Colormap::rock:
+      return {mix(0.985, 0.62, t), mix(0.004, 0.035, t), 75};
     case Colormap::diverging:
       break;
   }
@@ -106,8 +110,9 @@ std::vector<Rgb> tabulate(Colormap map) {
 }  // namespace
 
 Rgb colour(Colormap map, Real position) {
-  static const std::array<std::vector<Rgb>, 3> tables{
-      tabulate(Colormap::speed), tabulate(Colormap::pressure), tabulate(Colormap::diverging)};
+  static const std::array<std::vector<Rgb>, 5> tables{
+      tabulate(Colormap::speed), tabulate(Colormap::pressure), tabulate(Colormap::diverging),
+      tabulate(Colormap::pale), tabulate(Colormap::rock)};
   if (std::isnan(position)) {
     return {255, 255, 255};
   }

@@ -14,6 +14,8 @@ enum class Colormap {
   speed,      ///< sequential, dark indigo to light yellow: the eye follows the fast paths
   pressure,   ///< sequential, pale to deep blue
   diverging,  ///< blue, near white, red: deviations from the middle
+  pale,       ///< sequential, near white to mid blue: a ground to draw on
+  rock,       ///< sequential, near white to brownish grey: a ground to draw on
 };
 
 /// Colour at `position` in [0, 1]; outside it is clamped, NaN is white.

@@ -21,7 +21,8 @@ using report::Colormap;
 using report::Rgb;
 
 TEST(picture_colormap, equal_steps_look_equally_different) {
-  for (const Colormap map : {Colormap::speed, Colormap::pressure, Colormap::diverging}) {
+  for (const Colormap map :
+       {Colormap::speed, Colormap::pressure, Colormap::diverging, Colormap::pale, Colormap::rock}) {
     std::vector<Real> steps;
     for (int i = 0; i + 1 <= 16; ++i) {
       steps.push_back(
@@ -38,8 +39,10 @@ TEST(picture_colormap, lightness_is_monotone) {
     const Real b = (i + 1) / 64.0;
     EXPECT_LT(report::lightness(report::colour(Colormap::speed, a)),
               report::lightness(report::colour(Colormap::speed, b)));
-    EXPECT_GT(report::lightness(report::colour(Colormap::pressure, a)),
-              report::lightness(report::colour(Colormap::pressure, b)));
+    for (const Colormap map : {Colormap::pressure, Colormap::pale, Colormap::rock}) {
+      EXPECT_GT(report::lightness(report::colour(map, a)),
+                report::lightness(report::colour(map, b)));
+    }
     EXPECT_GT(report::lightness(report::colour(Colormap::diverging, 0.5 + a / 2)),
               report::lightness(report::colour(Colormap::diverging, 0.5 + b / 2)));
   }
