@@ -153,10 +153,11 @@ Block Jam::find_sieve(const Crowd& crowd) const {
     const Real beyond = std::max(along - throat.ahead, -throat.behind - along);
     const bool large = sieve_[static_cast<std::size_t>(k)] == crowd.throat;
     const bool over = std::abs(dot(way, throat.across)) <= 0.5 * throat.width;
-    const bool stopped_there = beyond <= radius(k) || support(throat, k) != Vec3{};
+    const Real funnel = support(throat, k) != Vec3{} ? 2 * (2 * radius(k) - throat.width) : 0;
+    const bool stopped_there = beyond <= radius(k) + std::max(funnel, 0.0);
     if (large && over && stopped_there && (block.empty() || std::abs(along) < nearest)) {
       nearest = std::abs(along);
-      block = {ClogKind::sieve, {k}};
+      block = {ClogKind::sieve, {k}, norm(way)};
     }
   }
   return block;
@@ -219,7 +220,7 @@ Block Jam::find_block(const Crowd& crowd) const {
   if (!block.empty()) {
     return block;
   }
-  block = {ClogKind::arch, shortest_chain(crowd)};
+  block = {ClogKind::arch, shortest_chain(crowd), 0};
   if (block.empty()) {
     return block;
   }

@@ -30,6 +30,7 @@ struct BlockRules {
 struct Block {
   ClogKind kind = ClogKind::sieve;
   std::vector<std::int32_t> members;
+  Real off = 0;  ///< [m] from the throat's centre to the middle of the members
 
   [[nodiscard]] bool empty() const { return members.empty(); }
 };
@@ -50,7 +51,8 @@ class Jam {
   /// What blocks this throat; empty when it is free.
   ///
   /// - sieve: the particle nearest to the centre with d >= sieve_share width, at no nearer throat of
-  ///   which the same holds, whose centre lies over the throat, no more than a radius before its ends or leaning on its walls;
+  ///   which the same holds, whose centre lies over the throat no more than a radius before its
+  ///   ends; in a funnel, leaning on a wall, up to 2 (d - width) further;
   /// - arch: the shortest chain of contacts between two that lean on walls that push against each
   ///   other across the throat, and whoever else lies nearer to its section than that chain. In 3D
   ///   an arch need not close the whole section.

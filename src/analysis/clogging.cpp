@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -32,48 +33,105 @@ bool share_one(const std::vector<std::uint64_t>& a, const std::vector<std::uint6
   });
 }
 
-/// The clog at a throat that has a crowd; no ids when it is free.
-Clog look_at(const CloggingState& state, const Jam& jam, const Jam::Crowd& crowd, const Clog* old,
-             Real time) {
-  if (old != nullptr && all_retained(state.rest, *old)) {
-    return *old;
+/// Who is part of a clog already: nobody is in two.
+class Taken {
+ public:
+  explicit Taken(const RestState& rest) : rest_(rest), taken_(rest.resting.size(), 0) {}
+
+  void take(const Clog& clog) {
+    for (const std::uint64_t id : clog.ids) {
+      taken_[static_cast<std::size_t>(retained_place(rest_, id))] = 1;
+    }
   }
-  const Block block = jam.find_block(crowd);
-  Clog clog{crowd.throat, block.kind, {}, 0, 0, time};
-  for (const std::int32_t k : block.members) {
+  [[nodiscard]] bool is_free(std::int32_t k) const {
+    return taken_[static_cast<std::size_t>(k)] == 0;
+  }
+  [[nodiscard]] Jam::Crowd free_of(const Jam::Crowd& crowd) const {
+    Jam::Crowd left{crowd.throat, {}};
+    std::copy_if(crowd.members.begin(), crowd.members.end(), std::back_inserter(left.members),
+                 [&](std::int32_t k) { return is_free(k); });
+    return left;
+  }
+
+ private:
+  const RestState& rest_;
+  std::vector<char> taken_;
+};
+
+/// What may block a throat that has no clog, or one that has lost a particle.
+struct Candidate {
+  const Jam::Crowd* crowd;
+  const Clog* old;
+  Block block;
+};
+
+const Clog* clog_at(const std::vector<Clog>& clogs, std::int32_t throat) {
+  const auto found =
+      std::lower_bound(clogs.begin(), clogs.end(), throat,
+                       [](const Clog& clog, std::int32_t other) { return clog.throat < other; });
+  return found != clogs.end() && found->throat == throat ? &*found : nullptr;
+}
+
+Clog make_clog(const CloggingState& state, const Candidate& from, Real time) {
+  Clog clog{from.crowd->throat, from.block.kind, {}, 0, 0, time};
+  for (const std::int32_t k : from.block.members) {
     clog.ids.push_back(state.rest.resting[static_cast<std::size_t>(k)].id);
   }
-  if (old != nullptr && share_one(clog.ids, old->ids)) {
-    clog.since = old->since;
-    clog.most = old->most;
+  if (from.old != nullptr && share_one(clog.ids, from.old->ids)) {
+    clog.since = from.old->since;
+    clog.most = from.old->most;
   }
   return clog;
 }
 
-/// Clogs of this sample beside those before it: both in order of throat.
-std::vector<Clog> renew_clogs(const CloggingState& state, const Jam& jam, const RunSample& sample,
-                              std::vector<ClogEvent>& events) {
+/// Clogs that stand keep theirs; then clogs that lost some, then new ones, the best placed first.
+std::vector<Clog> renew_clogs(const CloggingState& state, const Jam& jam, Real time) {
+  Taken taken(state.rest);
   std::vector<Clog> now;
-  auto old = state.clogs.begin();
-  const auto release = [&](const Clog& clog) {
-    events.push_back({What::released, clog, sample.time, sample.pore_volumes});
-  };
+  std::vector<Candidate> candidates;
   for (const Jam::Crowd& crowd : jam.crowds()) {
-    for (; old != state.clogs.end() && old->throat < crowd.throat; ++old) {
-      release(*old);
+    const Clog* const old = clog_at(state.clogs, crowd.throat);
+    if (old != nullptr && all_retained(state.rest, *old)) {
+      taken.take(*old);
+      now.push_back(*old);
+    } else {
+      candidates.push_back({&crowd, old, {}});
     }
-    const bool known = old != state.clogs.end() && old->throat == crowd.throat;
-    Clog clog = look_at(state, jam, crowd, known ? &*old : nullptr, sample.time);
-    if (known && clog.most == 0) {
-      release(*old);
-    }
-    if (!clog.ids.empty()) {
-      now.push_back(std::move(clog));
-    }
-    old += known ? 1 : 0;
   }
-  std::for_each(old, state.clogs.end(), release);
+  for (Candidate& one : candidates) {
+    one.block = jam.find_block(taken.free_of(*one.crowd));
+  }
+  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+    return std::tuple(a.old == nullptr, a.block.off, a.crowd->throat) <
+           std::tuple(b.old == nullptr, b.block.off, b.crowd->throat);
+  });
+  for (Candidate& one : candidates) {
+    const auto& members = one.block.members;
+    if (!std::all_of(members.begin(), members.end(),
+                     [&](std::int32_t k) { return taken.is_free(k); })) {
+      one.block = jam.find_block(taken.free_of(*one.crowd));
+    }
+    if (!one.block.empty()) {
+      now.push_back(make_clog(state, one, time));
+      taken.take(now.back());
+    }
+  }
+  std::sort(now.begin(), now.end(),
+            [](const Clog& a, const Clog& b) { return a.throat < b.throat; });
   return now;
+}
+
+/// Old clogs of which no particle blocks their throat any more.
+std::vector<ClogEvent> find_released(const std::vector<Clog>& before, const std::vector<Clog>& now,
+                                     const RunSample& sample) {
+  std::vector<ClogEvent> events;
+  for (const Clog& old : before) {
+    const Clog* const still = clog_at(now, old.throat);
+    if (still == nullptr || still->most == 0) {
+      events.push_back({What::released, old, sample.time, sample.pore_volumes});
+    }
+  }
+  return events;
 }
 
 /// Every retained particle goes with the clog that holds it over the fewest contacts; -1: with none.
@@ -117,7 +175,6 @@ void set_fates(CloggingState& state, const Jam& jam, const RunSample& sample) {
     }
   }
   for (Clog& clog : state.clogs) {
-    clog.behind = std::max<Index>(clog.behind, 0);  // one may be in the arches of two throats
     for (const std::uint64_t id : clog.ids) {
       const auto k = static_cast<std::size_t>(retained_place(state.rest, id));
       if (clog.kind == ClogKind::arch) {
@@ -143,8 +200,9 @@ std::vector<ClogEvent> update_clogging(CloggingState& state, const RunSample& sa
                                        const BlockRules& rules) {
   update_resting(state.rest, sample, rest, {network.size, network.periodic});
   const Jam jam(network, sample, state.rest, rest, rules);
-  std::vector<ClogEvent> events;
-  state.clogs = renew_clogs(state, jam, sample, events);
+  std::vector<Clog> now = renew_clogs(state, jam, sample.time);
+  std::vector<ClogEvent> events = find_released(state.clogs, now, sample);
+  state.clogs = std::move(now);
   set_fates(state, jam, sample);
   for (Clog& clog : state.clogs) {
     const Index size = static_cast<Index>(clog.ids.size()) + clog.behind;

@@ -54,7 +54,8 @@ struct CloggingState {
 /// Takes a sample; gives what happened since the last one, in rising order of throat.
 ///
 /// A throat is clogged as long as the particles that block it stay retained; when one of them is
-/// released and others block it still, it stays clogged if one of the old ones is among them. A clog
+/// released and others block it still, it stays clogged if one of the old ones is among them. Nobody blocks
+/// two throats: an arch near several goes to the one whose centre it is nearest to. A clog
 /// has grown when more particles than in its last row are in it or held behind it.
 /// Cost O(particles + throats): only resting particles look for neighbours, only retained ones for
 /// throats, both through cells.

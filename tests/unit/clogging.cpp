@@ -185,6 +185,27 @@ TEST(Clogging, a_member_whose_place_another_holds_as_well_releases_nothing) {
   EXPECT_EQ(story.tell().size(), 1U);
 }
 
+TEST(Clogging, an_arch_near_two_throats_clogs_the_nearer_one) {
+  geom::PoreNetwork network = one_throat();
+  network.throats.push_back(network.throats[0]);
+  network.throats[0].centre.x -= 30 * um;
+  Story story(network);
+  put_arch(story, 10);  // 17 um behind the first, 13 um before the second
+  const auto events = story.tell(8);
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_EQ(events[0].clog.throat, 1);
+  EXPECT_EQ(story.state.clogs.size(), 1U);
+}
+
+TEST(Clogging, a_large_one_on_a_wall_before_a_throat_is_not_sieved) {
+  Story story;
+  story.network.throats[0].centre.x += 40 * um;  // 49 um to the throat at x = 140
+  story.network.throats[0].behind = 5 * um;
+  story.put(1, 9, 115, 50 + 45 - std::sqrt(44.5 * 44.5 - 15 * 15));
+  EXPECT_TRUE(story.tell(8).empty());
+  EXPECT_EQ(story.fate(1), Fate::resting);
+}
+
 TEST(Clogging, jitter_at_the_threshold_writes_nothing_twice) {
   Story story;
   put_arch(story, 10);
