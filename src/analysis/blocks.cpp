@@ -243,6 +243,11 @@ Block Jam::find_block(const Crowd& crowd) const {
   }
   std::sort(block.members.begin(), block.members.end());
   block.members.erase(std::unique(block.members.begin(), block.members.end()), block.members.end());
+  Vec3 sum;
+  for (const std::int32_t k : block.members) {
+    sum += way_from(throat, k);
+  }
+  block.off = norm(sum) / static_cast<Real>(block.members.size());
   return block;
 }
 
