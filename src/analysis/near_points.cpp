@@ -63,7 +63,8 @@ void NearPoints::choose_cells(Vec3 high, Real distance) {
     longest = (longest + 1) / 2;
   }
   for (int axis = 0; axis < 3; ++axis) {
-    cell_[axis] = length[axis] > 0 ? length[axis] / n_[axis] : 1;
+    const Real edge = std::max(length[axis] / n_[axis], distance);
+    cell_[axis] = edge > 0 ? edge : 1;
   }
 }
 

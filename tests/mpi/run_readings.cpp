@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "analysis/gather_sample.hpp"
 #include "analysis/retention.hpp"
 #include "analysis/throat_pressure.hpp"
 
@@ -67,6 +68,30 @@ TEST(RunReadingsOnRanks, are_the_same_as_on_one) {
     EXPECT_NEAR(together.pressures[t].behind, alone.pressures[t].behind, 1e-10);
     EXPECT_NEAR(alone.pressures[t].drop(), -4, 1e-10);  // windows 2 apart, 1 per half
   }
+}
+
+TEST(RunReadingsOnRanks, samples_come_together_in_order_of_id) {
+  const par::Communicator comm;
+  OwnedSample mine;
+  mine.scalars.time = comm.is_root() ? 2.5 : -1;
+  for (std::uint64_t id = 0; id < 50; ++id) {  // dealt out in some order
+    if (static_cast<int>(id * 7 % 5) % comm.size() == comm.rank()) {
+      const auto x = static_cast<Real>(49 - id);
+      mine.put(49 - id, {x, 0, 0}, {0, x, 0}, x + 1, {-x, {0, 0, 1}});
+    }
+  }
+  const OwnedSample all = gather_sample(mine, comm);
+  ASSERT_EQ(all.id.size(), comm.is_root() ? 50U : 0U);
+  const RunSample sample = all.view();
+  for (std::size_t i = 0; i < sample.id.size(); ++i) {
+    EXPECT_EQ(sample.id[i], i);
+    EXPECT_EQ(sample.position[i].x, static_cast<Real>(i));
+    EXPECT_EQ(sample.velocity[i].y, static_cast<Real>(i));
+    EXPECT_EQ(sample.radius[i], static_cast<Real>(i + 1));
+    EXPECT_EQ(sample.wall_gap[i], -static_cast<Real>(i));
+    EXPECT_EQ(sample.wall_normal[i].z, 1);
+  }
+  EXPECT_TRUE(!comm.is_root() || sample.time == 2.5);
 }
 
 }  // namespace

@@ -86,6 +86,18 @@ TEST(NearPoints, work_grows_like_the_points_at_the_same_density) {
   EXPECT_LT(per_point[1], 20);
 }
 
+TEST(NearPoints, from_outside_of_all_points_finds_those_within_the_distance) {
+  const std::vector<Vec3> points{{3, 3, 3}, {3.2, 3, 3}, {3, 3.4, 3}};
+  for (const std::size_t some : {1U, 3U}) {
+    const NearPoints near(std::span<const Vec3>(points).first(some), 2, {{10, 10, 10}, {}});
+    for (const Vec3& off : {Vec3{-1.9, 0, 0}, Vec3{1.9, 0, 0}, Vec3{0, -1.3, 1.3}}) {
+      bool found = false;
+      near.visit(points[0] + off, [&](std::int32_t j, const Vec3&) { found = found || j == 0; });
+      EXPECT_TRUE(found);
+    }
+  }
+}
+
 TEST(NearPoints, of_nothing_and_of_one_place) {
   const NearPoints none({}, 1, {{1, 1, 1}, {}});
   none.visit({}, [](std::int32_t, const Vec3&) { FAIL(); });
