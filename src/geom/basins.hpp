@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "core/types.hpp"
@@ -55,6 +56,8 @@ struct Throat {
 struct ThroatFrame {
   int flow_axis = 0;
   Real depth = 0;  ///< [m] of a 2D image; 0: one pixel
+  /// [m] to the grains where it is known better than from the voxels, as for lists
+  std::function<Real(const Vec3&)> distance = {};
 };
 
 /// Throats: on each connected patch where two pore basins meet, the voxel of largest distance;

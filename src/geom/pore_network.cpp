@@ -40,6 +40,15 @@ std::vector<Pore> pores_of(const VoxelSolid& solid, const Basins& basins, Real d
   return pores;
 }
 
+/// [m] fine enough to tell the pores of a list apart; throats are measured on the list itself.
+Real drawing_pixel(const Sample& sample, Real cell_size) {
+  const Vec3 size = sample.box.size;
+  const Real longest = std::max({size.x, size.y, size.z});
+  return sample.spec.kind == Kind::cylinders && cell_size > 0
+             ? std::min(cell_size, longest / 200)
+             : std::clamp(cell_size, longest / 200, longest / 100);
+}
+
 template <class Item>
 void share_items(std::vector<Item>& items, MPI_Comm communicator) {
   static_assert(std::is_trivially_copyable_v<Item>);
@@ -76,13 +85,19 @@ PoreNetwork find_network(const Sample& sample, Real cell_size) {
     return {.pores = {}, .throats = {}, .size = size, .periodic = periodic};
   }
   const bool image = spec.kind == Kind::image;
-  const Real finest = std::max({size.x, size.y, size.z}) / 200;
-  const Real pixel = image ? sample.pixel : cell_size > 0 ? std::min(cell_size, finest) : finest;
+  const Real pixel = image ? sample.pixel : drawing_pixel(sample, cell_size);
   const Voxels drawn = image ? Voxels{} : rasterise(sample, pixel);
   const Real sigma = !image || spec.smooth < 0 ? 1 : spec.smooth / spec.pixel_size;
   const VoxelSolid solid =
       whole_solid(image ? sample.voxels.view() : drawn.view(), pixel, sample.box.beyond, sigma);
-  PoreNetwork network = find_network(solid, periodic, {spec.flow_axis, size.z});
+  ThroatFrame frame{spec.flow_axis, size.z, {}};
+  if (!image) {
+    const Real band = pixel * *std::max_element(solid.s.begin(), solid.s.end());
+    frame.distance = [exact = make_solid(sample, {}, size, std::max(band, pixel))](const Vec3& x) {
+      return signed_distance(exact, x);
+    };
+  }
+  PoreNetwork network = find_network(solid, periodic, frame);
   network.size = size;
   return network;
 }

@@ -34,8 +34,9 @@ struct PoreNetwork {
 [[nodiscard]] PoreNetwork find_network(const VoxelSolid& solid, const std::array<bool, 3>& periodic,
                                        const ThroatFrame& frame);
 
-/// Of a sample: the image itself; spheres and cylinders are first drawn into voxels of at most
-/// `cell_size` and a 200th of the longest edge. No pores and throats in an empty box.
+/// Of a sample: the image itself; spheres and cylinders are first drawn into voxels of `cell_size`, a
+/// 100th to a 200th of the longest edge (cylinders also finer), then their throats are measured on
+/// the list itself. No pores and throats in an empty box.
 /// Not collective: one rank is enough, see share_network. Cost: 512^2 pixels well below 1 s,
 /// 200^3 voxels some seconds.
 [[nodiscard]] PoreNetwork find_network(const Sample& sample, Real cell_size);

@@ -33,20 +33,6 @@ std::vector<Vec3> half_directions(bool flat) {
   return out;
 }
 
-/// Distance from x along e to the surface [m], at most `most`; marching by the distance itself.
-Real way_to_wall(const VoxelSolid& solid, const Vec3& x, const Vec3& e, Real most) {
-  const Real close = 0.01 * solid.pixel;
-  Real t = 0;
-  while (t < most) {
-    const Real s = signed_distance(solid, x + t * e);
-    if (s < close) {
-      return t + s;
-    }
-    t += std::max(0.9 * s, 2 * close);
-  }
-  return most;
-}
-
 /// A unit vector normal to e.
 Vec3 any_normal(const Vec3& e) {
   const Vec3 off = std::abs(e.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
@@ -65,6 +51,23 @@ ThroatShape::ThroatShape(const VoxelSolid& solid, const Basins& pores,
       flat_(solid.n[2] == 1),
       directions_(half_directions(flat_)) {
   frame_.depth = frame_.depth > 0 ? frame_.depth : solid.pixel;
+  if (!frame_.distance) {
+    frame_.distance = [&solid](const Vec3& x) { return signed_distance(solid, x); };
+  }
+}
+
+/// Distance from x along e to the surface [m], at most `most`; marching by the distance itself.
+Real ThroatShape::way_to_wall(const Vec3& x, const Vec3& e, Real most) const {
+  const Real close = 0.01 * solid_.pixel;
+  Real t = 0;
+  while (t < most) {
+    const Real s = frame_.distance(x + t * e);
+    if (s < close) {
+      return t + s;
+    }
+    t += std::max(0.9 * s, 2 * close);
+  }
+  return most;
 }
 
 std::optional<Throat> ThroatShape::measure(const Vec3& x, std::int32_t low,
@@ -94,13 +97,13 @@ std::optional<Throat> ThroatShape::measure(const Vec3& x, std::int32_t low,
 std::optional<Throat> ThroatShape::shortest_chord(const Vec3& x) const {
   constexpr Real finest = 0.5;  // [pixels] what a voxel image can tell at all
   std::optional<Throat> throat;
-  Real shortest = 8 * std::max(signed_distance(solid_, x), solid_.pixel);
+  Real shortest = 8 * std::max(frame_.distance(x), solid_.pixel);
   const auto take_if_shorter = [&](const Vec3& e) {
-    const Real ahead = way_to_wall(solid_, x, e, shortest);
+    const Real ahead = way_to_wall(x, e, shortest);
     if (ahead >= shortest) {
       return;
     }
-    const Real behind = way_to_wall(solid_, x, -1 * e, shortest - ahead);
+    const Real behind = way_to_wall(x, -1 * e, shortest - ahead);
     if (ahead + behind < shortest) {
       shortest = ahead + behind;
       throat = Throat{.centre = x + 0.5 * (ahead - behind) * e,
@@ -130,7 +133,7 @@ Real ThroatShape::section(const Throat& throat, const Vec3& normal, int rays) co
   for (int a = 0; a < rays; ++a) {
     const Real angle = (a + 0.5) * step;
     const Vec3 e = std::cos(angle) * throat.across + std::sin(angle) * up;
-    const Real r = way_to_wall(solid_, throat.centre, e, farthest_ray * throat.width);
+    const Real r = way_to_wall(throat.centre, e, farthest_ray * throat.width);
     sum += 0.5 * r * r * step;
   }
   return sum;
@@ -207,11 +210,11 @@ std::vector<ThroatShape::Gap> ThroatShape::gaps(const Throat& throat, Real sign)
   Vec3 x = throat.centre;
   for (Real gone = step; gone <= longest * throat.width; gone += step) {
     x += sign * step * throat.normal;
-    if (signed_distance(solid_, x) <= 0) {
+    if (frame_.distance(x) <= 0) {
       return out;
     }
-    const Real up = way_to_wall(solid_, x, throat.across, most);
-    const Real down = way_to_wall(solid_, x, -1 * throat.across, most);
+    const Real up = way_to_wall(x, throat.across, most);
+    const Real down = way_to_wall(x, -1 * throat.across, most);
     if (up + down >= most) {
       out.push_back({x, up + down, gone});
       return out;

@@ -48,6 +48,8 @@ class ThroatShape {
   [[nodiscard]] std::int32_t basin_at(const Vec3& x) const;
   [[nodiscard]] Vec3 inside(Vec3 x) const;
 
+  [[nodiscard]] Real way_to_wall(const Vec3& x, const Vec3& e, Real most) const;
+
   const VoxelSolid& solid_;
   const Basins& pores_;
   std::array<bool, 3> periodic_;

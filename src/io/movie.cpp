@@ -62,17 +62,15 @@ struct MovieWriter::Encoder {
   Encoder(const Encoder&) = delete;
   Encoder& operator=(const Encoder&) = delete;
 
-  /// Passes on what succeeded.
-  int check(int result, std::string_view what) const {
+  void require(int result, std::string_view what) const {
     if (result < 0) {
       std::array<char, AV_ERROR_MAX_STRING_SIZE> text{};
       av_strerror(result, text.data(), text.size());
       throw RunError(fmt::format("{}: cannot {}: {}", path, what, text.data()));
     }
-    return result;
   }
   template <class T>
-  T* check(T* pointer, std::string_view what) const {
+  [[nodiscard]] T* made(T* pointer, std::string_view what) const {
     if (pointer == nullptr) {
       throw RunError(fmt::format("{}: cannot {}", path, what));
     }
@@ -86,9 +84,9 @@ struct MovieWriter::Encoder {
 /// H.264 at constant quality; one thread and a short look ahead: the same bytes every time, few
 /// frames in memory.
 void MovieWriter::Encoder::open_codec(int frame_rate) {
-  const AVCodec* const h264 = check(avcodec_find_encoder(AV_CODEC_ID_H264),
-                                    "find an H.264 encoder (Debian: libavcodec59 with libx264)");
-  codec.reset(check(avcodec_alloc_context3(h264), "start the encoder"));
+  const AVCodec* const h264 = made(avcodec_find_encoder(AV_CODEC_ID_H264),
+                                   "find an H.264 encoder (Debian: libavcodec59 with libx264)");
+  codec.reset(made(avcodec_alloc_context3(h264), "start the encoder"));
   codec->width = width;
   codec->height = height;
   codec->time_base = {1, frame_rate};
@@ -104,52 +102,52 @@ void MovieWriter::Encoder::open_codec(int frame_rate) {
   av_opt_set(codec->priv_data, "preset", "veryfast", 0);
   av_opt_set(codec->priv_data, "crf", "20", 0);
   av_opt_set(codec->priv_data, "x264-params", "rc-lookahead=4:sync-lookahead=0:bframes=0", 0);
-  check(avcodec_open2(codec.get(), h264, nullptr), "start the encoder");
+  require(avcodec_open2(codec.get(), h264, nullptr), "start the encoder");
 
-  frame.reset(check(av_frame_alloc(), "allocate a frame"));
+  frame.reset(made(av_frame_alloc(), "allocate a frame"));
   frame->format = codec->pix_fmt;
   frame->width = width;
   frame->height = height;
-  check(av_frame_get_buffer(frame.get(), 0), "allocate a frame");
-  packet.reset(check(av_packet_alloc(), "allocate a packet"));
-  scale.reset(check(sws_getContext(width, height, AV_PIX_FMT_RGB24, width, height, codec->pix_fmt,
-                                   SWS_BILINEAR | SWS_ACCURATE_RND, nullptr, nullptr, nullptr),
-                    "convert colours"));
+  require(av_frame_get_buffer(frame.get(), 0), "allocate a frame");
+  packet.reset(made(av_packet_alloc(), "allocate a packet"));
+  scale.reset(made(sws_getContext(width, height, AV_PIX_FMT_RGB24, width, height, codec->pix_fmt,
+                                  SWS_BILINEAR | SWS_ACCURATE_RND, nullptr, nullptr, nullptr),
+                   "convert colours"));
   const int* const bt709 = sws_getCoefficients(SWS_CS_ITU709);
   sws_setColorspaceDetails(scale.get(), bt709, 1, bt709, 0, 0, 1 << 16, 1 << 16);
 }
 
 void MovieWriter::Encoder::open_file(const Provenance& provenance, const std::string& title) {
-  AVFormatContext* made = nullptr;
-  check(avformat_alloc_output_context2(&made, nullptr, "mp4", part.c_str()), "write MP4");
-  file.reset(made);
-  stream = check(avformat_new_stream(made, nullptr), "write MP4");
-  check(avcodec_parameters_from_context(stream->codecpar, codec.get()), "write MP4");
+  AVFormatContext* context = nullptr;
+  require(avformat_alloc_output_context2(&context, nullptr, "mp4", part.c_str()), "write MP4");
+  file.reset(context);
+  stream = made(avformat_new_stream(context, nullptr), "write MP4");
+  require(avcodec_parameters_from_context(stream->codecpar, codec.get()), "write MP4");
   stream->time_base = codec->time_base;
   stream->avg_frame_rate = codec->framerate;
-  av_dict_set(&made->metadata, "comment", describe(provenance).c_str(), 0);
-  av_dict_set(&made->metadata, "title", title.c_str(), 0);
-  check(avio_open(&made->pb, part.c_str(), AVIO_FLAG_WRITE), "open the file");
+  av_dict_set(&context->metadata, "comment", describe(provenance).c_str(), 0);
+  av_dict_set(&context->metadata, "title", title.c_str(), 0);
+  require(avio_open(&context->pb, part.c_str(), AVIO_FLAG_WRITE), "open the file");
   AVDictionary* options = nullptr;
   av_dict_set(&options, "movflags", "+faststart", 0);  // starts before it is loaded whole
-  const int result = avformat_write_header(made, &options);
+  const int result = avformat_write_header(context, &options);
   av_dict_free(&options);
-  check(result, "write the header");
+  require(result, "write the header");
 }
 
 /// @param picture  null: the last ones that the encoder still holds
 void MovieWriter::Encoder::encode(const AVFrame* picture) {
-  check(avcodec_send_frame(codec.get(), picture), "encode a frame");
+  require(avcodec_send_frame(codec.get(), picture), "encode a frame");
   for (;;) {
     const int result = avcodec_receive_packet(codec.get(), packet.get());
     if (result == AVERROR(EAGAIN) || result == AVERROR_EOF) {
       return;
     }
-    check(result, "encode a frame");
+    require(result, "encode a frame");
     packet->duration = 1;
     av_packet_rescale_ts(packet.get(), codec->time_base, stream->time_base);
     packet->stream_index = stream->index;
-    check(av_interleaved_write_frame(file.get(), packet.get()), "write a frame");
+    require(av_interleaved_write_frame(file.get(), packet.get()), "write a frame");
   }
 }
 
@@ -172,19 +170,18 @@ MovieWriter::MovieWriter(const std::string& path, int width, int height, int fra
 MovieWriter::~MovieWriter() = default;
 MovieWriter::MovieWriter(MovieWriter&&) noexcept = default;
 
-void MovieWriter::add(const PixelView& picture) {
+void MovieWriter::add(const PixelView& frame) {
   Encoder& e = *encoder_;
-  const bool fits =
-      (picture.width & ~1) == e.width && (picture.height & ~1) == e.height &&
-      picture.channels == 3 &&
-      picture.pixels.size() == static_cast<std::size_t>(picture.width) * picture.height * 3;
+  const bool fits = (frame.width & ~1) == e.width && (frame.height & ~1) == e.height &&
+                    frame.channels == 3 &&
+                    frame.pixels.size() == static_cast<std::size_t>(frame.width) * frame.height * 3;
   if (!fits) {
     throw RunError(fmt::format("{}: a frame of {} x {} pixels for a movie of {} x {}", e.path,
-                               picture.width, picture.height, e.width, e.height));
+                               frame.width, frame.height, e.width, e.height));
   }
-  e.check(av_frame_make_writable(e.frame.get()), "allocate a frame");
-  const std::uint8_t* const rows[] = {picture.pixels.data()};
-  const int stride[] = {3 * picture.width};
+  e.require(av_frame_make_writable(e.frame.get()), "allocate a frame");
+  const std::uint8_t* const rows[] = {frame.pixels.data()};
+  const int stride[] = {3 * frame.width};
   sws_scale(e.scale.get(), rows, stride, 0, e.height, e.frame->data, e.frame->linesize);
   e.frame->pts = e.frame->pts == AV_NOPTS_VALUE ? 0 : e.frame->pts + 1;
   e.encode(e.frame.get());
@@ -193,8 +190,8 @@ void MovieWriter::add(const PixelView& picture) {
 void MovieWriter::finish() {
   Encoder& e = *encoder_;
   e.encode(nullptr);
-  e.check(av_write_trailer(e.file.get()), "complete the file");
-  e.check(avio_closep(&e.file->pb), "complete the file");
+  e.require(av_write_trailer(e.file.get()), "complete the file");
+  e.require(avio_closep(&e.file->pb), "complete the file");
   if (std::rename(e.part.c_str(), e.path.c_str()) != 0) {
     throw RunError(fmt::format("{}: cannot rename {}: {}", e.path, e.part,
                                std::generic_category().message(errno)));

@@ -12,38 +12,10 @@
 namespace porefines {
 namespace {
 
+using test::Csv;
 using test::number;
+using test::read_csv;
 using test::read_text;
-
-/// A table by columns.
-struct Csv {
-  std::vector<std::string> names;
-  std::vector<std::vector<std::string>> rows;
-
-  [[nodiscard]] double at(std::size_t row, const std::string& name) const {
-    for (std::size_t c = 0; c < names.size(); ++c) {
-      if (names[c] == name) {
-        return std::stod(rows.at(row).at(c));
-      }
-    }
-    ADD_FAILURE() << "no column " << name;
-    return std::nan("");
-  }
-};
-
-Csv read_csv(const std::string& path) {
-  Csv csv;
-  std::istringstream lines(read_text(path));
-  for (std::string line; std::getline(lines, line);) {
-    std::vector<std::string> words;
-    std::istringstream stream(line);
-    for (std::string word; std::getline(stream, word, ',');) {
-      words.push_back(word);
-    }
-    (csv.names.empty() ? csv.names : csv.rows.emplace_back()) = words;
-  }
-  return csv;
-}
 
 /// Runs a bundled case into `folder`/out; returns summary.json.
 std::string run_case(const test::Scratch& folder, const std::string& name, int ranks,

@@ -6,6 +6,9 @@
 #include <regex>
 #include <sstream>
 #include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
 
 #include "support/program.hpp"
 #include "support/scratch.hpp"
@@ -24,6 +27,36 @@ inline double number(const std::string& json, const std::string& key) {
   std::smatch match;
   const std::regex wanted("\"" + key + "\": ([-+0-9.e]+)");
   return std::regex_search(json, match, wanted) ? std::stod(match[1]) : std::nan("");
+}
+
+/// A table by columns.
+struct Csv {
+  std::vector<std::string> names;
+  std::vector<std::vector<std::string>> rows;
+
+  [[nodiscard]] double at(std::size_t row, const std::string& name) const {
+    for (std::size_t c = 0; c < names.size(); ++c) {
+      if (names[c] == name) {
+        return std::stod(rows.at(row).at(c));
+      }
+    }
+    ADD_FAILURE() << "no column " << name;
+    return std::nan("");
+  }
+};
+
+inline Csv read_csv(const std::string& path) {
+  Csv csv;
+  std::istringstream lines(read_text(path));
+  for (std::string line; std::getline(lines, line);) {
+    std::vector<std::string> words;
+    std::istringstream stream(line);
+    for (std::string word; std::getline(stream, word, ',');) {
+      words.push_back(word);
+    }
+    (csv.names.empty() ? csv.names : csv.rows.emplace_back()) = words;
+  }
+  return csv;
 }
 
 /// Top and bottom of glass, open at both ends: k = h^2 / 12.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MPL-2.0
 // Throats as short channels: width, section, length, direction, the pores that they join.
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -113,14 +114,15 @@ TEST(Throats, of_a_periodic_lattice_lie_in_the_box_in_order_of_x_and_join_two_po
   }
 }
 
-TEST(Throats, of_a_list_of_cylinders_are_those_of_its_picture) {
+TEST(Throats, of_a_list_of_cylinders_are_measured_on_the_list) {
   Sample sample;
   sample.spec.kind = Kind::cylinders;
   sample.box = {{120e-6, 80e-6, 15e-6}, mirrored};
   sample.bodies = {{{60e-6, 5e-6, 0}, 30e-6}, {{60e-6, 75e-6, 0}, 30e-6}};
   const PoreNetwork network = find_network(sample, 0);
   ASSERT_EQ(network.throats.size(), 1U);
-  EXPECT_NEAR(network.throats[0].width, 10e-6, 0.4e-6);
+  EXPECT_NEAR(network.throats[0].width, 10e-6, 0.02e-6);  // its voxels are 0.6 um
+  EXPECT_NEAR(network.throats[0].centre.x, 60e-6, 0.6e-6);
   EXPECT_DOUBLE_EQ(network.throats[0].centre.z, 7.5e-6);
   EXPECT_TRUE(network.flat);
   const PoreNetwork shared = share_network(network, MPI_COMM_SELF);
@@ -131,6 +133,26 @@ TEST(Throats, of_a_list_of_cylinders_are_those_of_its_picture) {
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   EXPECT_EQ(text.rfind("id,x_m,y_m,z_m,width_m,area_m2,", 0), 0U);
   EXPECT_NE(text.find("\n0,"), std::string::npos);
+}
+
+TEST(Throats, between_three_touching_spheres_have_the_area_of_the_gap) {
+  // a triangle of spheres of radius r in the plane x = 0, walls away: gap sqrt(3) r^2 - pi/2 r^2
+  Sample sample;
+  sample.spec.kind = Kind::spheres;
+  sample.box = {{60e-6, 60e-6, 60e-6}, mirrored};
+  const Real r = 15e-6;
+  const Real h = std::sqrt(3.0) * r;
+  sample.bodies = {{{30e-6, 30e-6 - h / 3, 15e-6}, r},
+                   {{30e-6, 30e-6 - h / 3, 45e-6}, r},
+                   {{30e-6, 30e-6 + 2 * h / 3, 30e-6}, r}};
+  const PoreNetwork network = find_network(sample, 0.6e-6);
+  const auto throat =
+      std::find_if(network.throats.begin(), network.throats.end(), [](const Throat& t) {
+        return norm(t.centre - Vec3{30e-6, 30e-6, 30e-6}) < 3e-6;
+      });
+  ASSERT_NE(throat, network.throats.end());
+  EXPECT_NEAR(throat->normal.x, 1, 0.03);
+  EXPECT_NEAR(throat->area / ((std::sqrt(3.0) - std::numbers::pi / 2) * r * r), 1, 0.05);
 }
 
 }  // namespace porefines::geom
