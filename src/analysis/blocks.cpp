@@ -233,7 +233,8 @@ Block Jam::find_block(const Crowd& crowd) const {
     ahead = std::max(ahead, along(k));
   }
   for (const std::int32_t k : crowd.members) {
-    const bool inside = along(k) > behind && along(k) < ahead;
+    const Real slack = 0.25 * radius(k);
+    const bool inside = along(k) > behind - slack && along(k) < ahead + slack;
     const bool held = std::any_of(touching(k).begin(), touching(k).end(), [&](std::int32_t other) {
       return std::find(block.members.begin(), block.members.end(), other) != block.members.end();
     });

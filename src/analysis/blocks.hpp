@@ -54,7 +54,7 @@ class Jam {
   ///   which the same holds, whose centre lies over the throat no more than a radius before its
   ///   ends; in a funnel, leaning on a wall, up to 2 (d - width) further;
   /// - arch: the shortest chain of contacts between two that lean on walls that push against each
-  ///   other across the throat, and whoever else lies nearer to its section than that chain. In 3D
+  ///   other across the throat, and whoever of their neighbours lies as near to its section. In 3D
   ///   an arch need not close the whole section.
   [[nodiscard]] Block find_block(const Crowd& crowd) const;
 

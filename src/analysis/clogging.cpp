@@ -128,7 +128,7 @@ std::vector<ClogEvent> find_released(const std::vector<Clog>& before, const std:
   for (const Clog& old : before) {
     const Clog* const still = clog_at(now, old.throat);
     if (still == nullptr || still->most == 0) {
-      events.push_back({What::released, old, sample.time, sample.pore_volumes});
+      events.push_back({What::released, old, sample.time, sample.pore_volumes, sample.out});
     }
   }
   return events;
@@ -209,7 +209,7 @@ std::vector<ClogEvent> update_clogging(CloggingState& state, const RunSample& sa
     if (size > clog.most) {
       const What what = clog.most == 0 ? What::clogged : What::grown;
       clog.most = size;
-      events.push_back({what, clog, sample.time, sample.pore_volumes});
+      events.push_back({what, clog, sample.time, sample.pore_volumes, sample.out});
     }
   }
   std::stable_sort(events.begin(), events.end(), [](const ClogEvent& a, const ClogEvent& b) {
@@ -219,8 +219,8 @@ std::vector<ClogEvent> update_clogging(CloggingState& state, const RunSample& sa
 }
 
 std::vector<std::string> clogging_columns() {
-  return {"time_s",  "pore_volumes", "throat", "x_m",       "y_m",    "z_m",
-          "width_m", "event",        "kind",   "particles", "behind", "ids"};
+  return {"time_s", "pore_volumes", "throat",    "x_m",    "y_m", "z_m", "width_m",
+          "event",  "kind",         "particles", "behind", "out", "ids"};
 }
 
 std::string clogging_rows(const std::vector<ClogEvent>& events, const geom::PoreNetwork& network) {
@@ -229,10 +229,10 @@ std::string clogging_rows(const std::vector<ClogEvent>& events, const geom::Pore
     const Clog& clog = event.clog;
     const geom::Throat& throat = network.throats[static_cast<std::size_t>(clog.throat)];
     fmt::format_to(std::back_inserter(text),
-                   "{},{},{},{:.9g},{:.9g},{:.9g},{:.9g},{},{},{},{},{}\n", event.time,
+                   "{},{},{},{:.9g},{:.9g},{:.9g},{:.9g},{},{},{},{},{},{}\n", event.time,
                    event.pore_volumes, clog.throat, throat.centre.x, throat.centre.y,
                    throat.centre.z, throat.width, name_of(event.what), name_of(clog.kind),
-                   clog.ids.size(), clog.behind, fmt::join(clog.ids, " "));
+                   clog.ids.size(), clog.behind, event.out, fmt::join(clog.ids, " "));
   }
   return text;
 }

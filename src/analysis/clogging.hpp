@@ -25,6 +25,7 @@ struct ClogEvent {
   Clog clog;
   Real time;
   Real pore_volumes;
+  Index out;  ///< particles that had left by then: the escapees, where there is one throat
 };
 
 /// Particles of each fate; out of the run counts as piping.

@@ -190,7 +190,10 @@ void ThroatShape::orient(Throat& throat, std::int32_t low, std::int32_t high) co
   }
   throat.pore_behind = low;
   throat.pore_ahead = high;
-  for (Real t = 0.5 * solid_.pixel; t < 3 * throat.width + solid_.pixel; t += 0.5 * solid_.pixel) {
+  const Real step = 0.5 * solid_.pixel;
+  const int steps = static_cast<int>(3 * throat.width / step) + 2;
+  for (int n = 1; n <= steps; ++n) {
+    const Real t = n * step;
     const std::int32_t ahead = basin_at(throat.centre + t * throat.normal);
     const std::int32_t behind = basin_at(throat.centre - t * throat.normal);
     if ((ahead == low && behind != low) || (behind == high && ahead != high)) {
@@ -208,7 +211,9 @@ std::vector<ThroatShape::Gap> ThroatShape::gaps(const Throat& throat, Real sign)
   const Real most = wider * throat.width;
   std::vector<Gap> out;
   Vec3 x = throat.centre;
-  for (Real gone = step; gone <= longest * throat.width; gone += step) {
+  const int steps = static_cast<int>(longest * throat.width / step);
+  for (int n = 1; n <= steps; ++n) {
+    const Real gone = n * step;
     x += sign * step * throat.normal;
     if (frame_.distance(x) <= 0) {
       return out;

@@ -176,7 +176,7 @@ TEST(Clogging, a_member_whose_place_another_holds_as_well_releases_nothing) {
   put_arch(story, 10);
   story.put(12, 7, story.who[10].x.x / um, story.who[10].x.y / um);
   EXPECT_EQ(story.tell(6).size(), 1U);
-  EXPECT_EQ(story.state.clogs[0].ids, (std::vector<std::uint64_t>{10, 11}));
+  EXPECT_EQ(story.state.clogs[0].ids, (std::vector<std::uint64_t>{10, 11, 12}));
   story.put(10, 7, 130, 50, 1);
   EXPECT_TRUE(story.tell().empty());
   EXPECT_EQ(story.state.clogs[0].ids, (std::vector<std::uint64_t>{11, 12}));
@@ -204,6 +204,36 @@ TEST(Clogging, a_large_one_on_a_wall_before_a_throat_is_not_sieved) {
   story.put(1, 9, 115, 50 + 45 - std::sqrt(44.5 * 44.5 - 15 * 15));
   EXPECT_TRUE(story.tell(8).empty());
   EXPECT_EQ(story.fate(1), Fate::resting);
+}
+
+TEST(Clogging, three_in_a_round_throat_are_one_arch) {
+  geom::PoreNetwork network = one_throat();
+  network.flat = false;
+  const Real radius = 5 * um;
+  network.throats[0].width = 2 * radius;
+  network.throats[0].area = 3.1416 * radius * radius;
+  CloggingState state;
+  std::vector<std::uint64_t> ids{5, 6, 7, 8};
+  std::vector<Vec3> xs, vs(4), normals;
+  for (int n = 0; n < 3; ++n) {  // touch each other and the wall, 3 um before the centre
+    const Real angle = 0.4 + n * 2 * 3.14159265 / 3;
+    const Vec3 out{0, std::cos(angle), std::sin(angle)};
+    xs.push_back(middle + Vec3{-3 * um, 0, 0} + (2.2 / std::sqrt(3.0) * 2 * um) * out);
+    normals.push_back(-0.9 * out - Vec3{0.43589, 0, 0});
+  }
+  xs.push_back(middle + Vec3{-6 * um, 0, 0});  // behind all three
+  normals.push_back({});
+  const std::vector<Real> rs(4, 2.2 * um);
+  const std::vector<Real> gaps{0, 0, 0, 1};
+  std::vector<ClogEvent> events;
+  for (int n = 0; n < 5; ++n) {
+    const RunSample sample{0.02 * n, 0, 1e-3, 0, ids, xs, vs, rs, gaps, normals};
+    auto news = update_clogging(state, sample, network, {.hold_time = 0.05});
+    events.insert(events.end(), news.begin(), news.end());
+  }
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_EQ(events[0].clog.ids, (std::vector<std::uint64_t>{5, 6, 7}));
+  EXPECT_EQ(events[0].clog.behind, 1);
 }
 
 TEST(Clogging, jitter_at_the_threshold_writes_nothing_twice) {
@@ -292,8 +322,8 @@ TEST(Clogging, row_says_when_where_how_and_who) {
   put_arch(story, 10);
   const auto events = story.tell(6);
   const std::string rows = clogging_rows(events, story.network);
-  EXPECT_EQ(rows, "0.08,0.16,0,0.0001,5e-05,1e-05,1e-05,clogged,arch,2,0,10 11\n");
-  EXPECT_EQ(clogging_columns().size(), 12U);
+  EXPECT_EQ(rows, "0.08,0.16,0,0.0001,5e-05,1e-05,1e-05,clogged,arch,2,0,0,10 11\n");
+  EXPECT_EQ(clogging_columns().size(), 13U);
 }
 
 TEST(Clogging, everybody_finds_its_own_throat_among_thousands) {

@@ -82,7 +82,7 @@ TEST(Readings, fill_their_tables_sample_by_sample) {
   tell(1, 12, state, setup, tables, rows);
   const std::string clogging = content(folder / "clogging.csv");
   EXPECT_EQ(std::count(clogging.begin(), clogging.end(), '\n'), 2) << clogging;
-  EXPECT_NE(clogging.find("\n8,0.5,0,20,5,0.5,2,clogged,sieve,1,0,2\n"), std::string::npos)
+  EXPECT_NE(clogging.find("\n8,0.5,0,20,5,0.5,2,clogged,sieve,1,0,1,2\n"), std::string::npos)
       << clogging;
   const std::string retention = content(folder / "retention.csv");
   EXPECT_EQ(std::count(retention.begin(), retention.end(), '\n'), 1 + 4 * 12);
