@@ -58,6 +58,9 @@ struct Particles {
 enum class ContactModel { hertz, linear };
 enum class RollingModel { none, constant_torque, spring_dashpot };
 
+/// What moves particles; automatic: by the Stokes number.
+enum class Integrator { automatic, newton_euler, overdamped };
+
 /// [contact]
 struct Contact {
   ContactModel model = ContactModel::hertz;
@@ -69,6 +72,7 @@ struct Contact {
   Real wall_young = 0;    ///< [Pa] of walls and grains; 0: that of the particle
   Real wall_poisson = 0;  ///< read with wall_young
   Real stiffness = 0;     ///< [N/m] linear: of the normal spring; 0: from young and speed
+  Integrator integrator = Integrator::automatic;
   int steps_per_contact = 30;
   Real max_overlap = 0.01;  ///< of a radius
   Real top_speed = 0;       ///< [m/s] expected, for the step; 0: found from the case

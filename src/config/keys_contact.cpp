@@ -91,6 +91,10 @@ std::vector<Key> contact_keys() {
                    "Poisson's ratio of walls and grains"),
       quantity_key("contact.stiffness", part, &Contact::stiffness, kind::stiffness, above_zero,
                    "from the moduli and the top speed", "linear model: the normal spring"),
+      choice_key("contact.integrator", part, &Contact::integrator,
+                 {"auto", "newton-euler", "overdamped"},
+                 "what moves particles: inertia, or the balance of forces in a liquid; auto: the "
+                 "second where the Stokes number is below 0.1; without a fluid always the first"),
       integer_key("contact.steps_per_contact", part, &Contact::steps_per_contact, Range{10, 1000},
                   "the step is the shortest contact's duration over this"),
       quantity_key("contact.max_overlap", part, &Contact::max_overlap, kind::number,

@@ -214,6 +214,10 @@ void check_dry(const Case& subject, const Node& given) {
   if (!(subject.run.end_time > 0)) {
     fail(place_of(given, "run.end_time"), "is missing", "end_time = \"0.1 s\"");
   }
+  if (subject.contact.integrator == Integrator::overdamped) {
+    fail(place_of(given, "contact.integrator"), "\"overdamped\" needs a liquid that resists",
+         "\"auto\" or \"newton-euler\" without a flow");
+  }
   for (std::size_t i = 0; i < subject.output.size(); ++i) {
     if (find(given, "output") != nullptr && subject.output[i].kind == OutputKind::fields) {
       fail(item_node(given, "output", i).place, "there are no fields without a flow",

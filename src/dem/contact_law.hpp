@@ -40,6 +40,26 @@ struct Evaluation {
   /// Overdamped: the liquid takes the place of mass, dashpots are off (mass 0) and what stops a
   /// rotation within the step is its resistance times dt instead of its inertia.
   bool creeping = false;
+  bool account = false;  ///< sum up the work of contacts, see Spent
+};
+
+/// Work [J] that contacts took: by dashpots along the normal; against friction and against rolling,
+/// springs included, so that what these hold at the moment comes off before it is called dissipated.
+///
+///     normal  += F_viscous (v_n - F_n dt / (2 m)) dt            the mean over the step
+///     sliding -= (F_t - T + (T_before + T)/2) . v_t dt          T: the spring's share of F_t
+///     rolling -= (M - S + (S_before + S)/2) . w dt              S: the spring's share of M
+///
+/// Springs count with their mean over the step, whose ends velocity Verlet's half-step velocities join:
+/// a spring that only stretches and relaxes takes nothing. Test: verification/dem_energy.
+struct Spent {
+  Real normal = 0;
+  Real sliding = 0;
+  Real rolling = 0;
+  void add(const Spent& other, Real share) {
+    normal += share * other.normal, sliding += share * other.sliding;
+    rolling += share * other.rolling;
+  }
 };
 
 using HistoryNumbers = std::array<Real, history_size>;
@@ -82,6 +102,11 @@ struct Hertz {
     return {cut_pull ? std::max(force, 0.0) : force, 2 * pair.modulus * a, a, 8 * pair.shear * a,
             pair.shear_viscous * root};
   }
+  /// [N] without the dashpot
+  [[nodiscard, gnu::always_inline]] Real elastic(const PairMaterial& pair,
+                                                 const ContactState& c) const {
+    return (4.0 / 3.0) * pair.modulus * std::sqrt(c.radius * c.overlap) * c.overlap;
+  }
   /// [J] stored in the normal spring
   [[nodiscard]] Real energy(const PairMaterial& pair, const ContactState& c) const {
     return 8.0 / 15.0 * pair.modulus * std::sqrt(c.radius * c.overlap) * c.overlap * c.overlap;
@@ -102,6 +127,10 @@ struct LinearSpring {
     const Real force = stiffness * c.overlap - viscous * dot(c.normal, c.slip);
     return {cut_pull ? std::max(force, 0.0) : force, stiffness, std::sqrt(c.radius * c.overlap),
             shear_ratio * stiffness, viscous * std::sqrt(shear_ratio)};
+  }
+  [[nodiscard, gnu::always_inline]] Real elastic(const PairMaterial& /*pair*/,
+                                                 const ContactState& c) const {
+    return stiffness * c.overlap;
   }
   [[nodiscard]] Real energy(const PairMaterial& /*pair*/, const ContactState& c) const {
     return stiffness * c.overlap * c.overlap / 2;

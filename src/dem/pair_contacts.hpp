@@ -79,6 +79,9 @@ class PairContacts {
   /// Largest overlap over smaller radius since the last reset.
   [[nodiscard]] Real largest_overlap() const { return largest_overlap_; }
   void reset_largest_overlap(Real to = 0) { largest_overlap_ = to; }
+  /// Of all contacts since the start, those across ranks by half.
+  [[nodiscard]] const Spent& spent() const { return spent_; }
+  void reset_spent(const Spent& to) { spent_ = to; }
 
  private:
   /// Pairs that may touch before the next narrow().
@@ -106,6 +109,7 @@ class PairContacts {
   TouchingPairs touching_;
   TouchingPairs next_;
   Real largest_overlap_ = 0;
+  Spent spent_;
 };
 
 }  // namespace porefines::dem

@@ -130,11 +130,15 @@ void PairContacts::add_forces(const ContactModel& model, const MaterialTable& ma
       if (evaluation.creeping) {
         replace_inertia(p, touching_, begin, evaluation.dt, b.contact);
       }
-      evaluate(law, materials.pairs(), evaluation.dt, b.contact);
+      evaluate(law, materials.pairs(), evaluation, b.contact);
       lever(b);
       scatter(b, touching_, begin, p);
       store(b, begin, length_, touching_);
       largest_overlap_ = std::max(largest_overlap_, deepest(b, touching_, begin));
+      for (int k = 0; evaluation.account && k < b.contact.count; ++k) {
+        const bool whole = static_cast<std::size_t>(touching_.second[begin + k]) < p.owned;
+        spent_.add(b.contact.spent(k), whole ? 1 : 0.5);  // the other half is on the ghost's owner
+      }
     }
   });
 }

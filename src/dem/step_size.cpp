@@ -23,4 +23,14 @@ Real stokes_number(Real density, Real radius, Real speed, Real viscosity) {
   return 2 * density * radius * speed / (9 * viscosity);
 }
 
+Real impact_speed(const Pace& pace) {
+  return std::max({2 * pace.speed, std::sqrt(2 * pace.acceleration * pace.radius), 1e-9});
+}
+
+Real longest_step(const System& system, const Pace& pace) {
+  const Real impact = impact_speed(pace);
+  return std::min(system.contact_duration(impact) / pace.steps_per_contact,
+                  pace.radius / impact / 10);
+}
+
 }  // namespace porefines::dem

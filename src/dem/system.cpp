@@ -114,7 +114,7 @@ void System::advance(Real dt, Index steps) {
     const Real speed_squared = kick_and_drift(particles_, motion, kicks, true);
     walls_.advance(dt);
     update_lists(std::sqrt(speed_squared), dt);
-    contact_forces({dt});
+    contact_forces({dt, false, settings_.account});
     ++work_.steps;
   }
   kick_and_drift(particles_, motion, 1, false);
@@ -233,6 +233,7 @@ Snapshot System::save() const {
   s.particles.resize(particles_.owned);
   s.walls = walls_.surfaces();
   s.skin = skin_, s.moved = moved_;
+  s.spent_among = pairs_.spent(), s.spent_on_walls = walls_.spent();
   s.largest_overlap = std::max(pairs_.largest_overlap(), walls_.largest_overlap());
   s.contacts = lists_hold_ ? collected_contacts() : kept_;
   return s;
@@ -267,6 +268,8 @@ void System::restore(Snapshot snapshot, bool same_ranks) {
   walls_ = WallContacts(snapshot.walls, settings_.wall_species, history_length(settings_.model));
   skin_ = snapshot.skin;
   moved_ = snapshot.moved;
+  pairs_.reset_spent(snapshot.spent_among);
+  walls_.reset_spent(snapshot.spent_on_walls);
   pairs_.reset_largest_overlap(snapshot.largest_overlap);
   moves_ = true;
   lists_hold_ = false;

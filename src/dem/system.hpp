@@ -25,6 +25,7 @@ struct Settings {
   Surfaces walls;  ///< whole on every rank, or what its block and the reach of its particles need
   std::vector<std::uint16_t> wall_species;  ///< material of each wall; empty: all species 0
   Vec3 gravity;                             ///< [m/s^2]
+  bool account = false;                     ///< sum up what contacts dissipate: Totals::dissipated
   Real skin = 0;  ///< [m] pairs nearer than this are listed; 0: a fifth of the mean diameter
 };
 
@@ -38,6 +39,7 @@ struct Totals {
   Real kinetic = 0;       ///< [J] of translation
   Real rotational = 0;    ///< [J]
   Real elastic = 0;       ///< [J] in contacts: normal, shear and rolling springs
+  Spent dissipated;       ///< [J] since the start, where Settings::account asks for it
   Real potential = 0;     ///< [J] -m g.x
 };
 
@@ -58,6 +60,8 @@ struct Snapshot {
   Surfaces walls;
   Real skin = 0;             ///< [m]
   Real moved = 0;            ///< [m] farthest way since the lists were built
+  Spent spent_among;         ///< [J] by contacts of particles, on this rank
+  Spent spent_on_walls;      ///< [J]
   Real largest_overlap = 0;  ///< System::largest_overlap, of this rank
 };
 
@@ -133,6 +137,9 @@ class System {
   /// Largest overlap divided by the smaller radius seen since the last reset; collective.
   [[nodiscard]] Real largest_overlap() const;
   void reset_largest_overlap();
+
+  /// [m/s] of the fastest particle; collective
+  [[nodiscard]] Real top_speed() const;
 
   /// [s] shortest duration of an impact at this closing speed [m/s]; collective.
   /// A step is a fraction of it: 1/30 unless there is a reason (thesis eq. 14).

@@ -11,25 +11,39 @@ namespace porefines::dem {
 
 namespace {
 
-/// Energy in the springs of one contact; partial slip is counted as if it were elastic.
-Real stored(const ContactModel& model, const PairMaterial& pair, const ContactState& c,
-            const ContactHistory& h) {
+/// Energy in the springs of one contact [J].
+struct Stored {
+  Real normal = 0;
+  Real shear = 0;
+  Real rolling = 0;
+};
+
+/// Partial slip is counted as if it were elastic.
+Stored stored(const ContactModel& model, const PairMaterial& pair, const ContactState& c,
+              const ContactHistory& h) {
   const NormalResponse r = std::visit([&](const auto& n) { return n(pair, c); }, model.normal);
-  Real energy = std::visit([&](const auto& n) { return n.energy(pair, c); }, model.normal);
+  Stored energy;
+  energy.normal = std::visit([&](const auto& n) { return n.energy(pair, c); }, model.normal);
   if (r.shear_stiffness > 0) {
-    energy += dot(h.shear, h.shear) / (2 * r.shear_stiffness);
+    energy.shear = dot(h.shear, h.shear) / (2 * r.shear_stiffness);
   }
   const Real arm = pair.rolling * c.radius;
   const Real rolling_stiffness = 2.25 * r.stiffness * arm * arm;
-  return rolling_stiffness > 0 ? energy + dot(h.rolling, h.rolling) / (2 * rolling_stiffness)
-                               : energy;
+  if (rolling_stiffness > 0) {
+    energy.rolling = dot(h.rolling, h.rolling) / (2 * rolling_stiffness);
+  }
+  return energy;
 }
 
 /// Adds up the contacts and their energy; those across ranks count half on each.
 struct ContactSums {
   Real pairs = 0;
   Real walls = 0;
-  Real elastic = 0;
+  Stored stored;
+  void add(const Stored& one, Real share) {
+    stored.normal += share * one.normal, stored.shear += share * one.shear;
+    stored.rolling += share * one.rolling;
+  }
 };
 
 }  // namespace
@@ -54,15 +68,19 @@ Totals System::totals() const {
     const Real share = j < p.owned ? 1 : 0.5;  // the other half is on the ghost's owner
     contacts.pairs += share;
     const PairMaterial& pair = settings_.materials.pair(p.species[i], p.species[j]);
-    contacts.elastic += share * stored(settings_.model, pair, pair_state(p, i, j), history);
+    contacts.add(stored(settings_.model, pair, pair_state(p, i, j), history), share);
   });
   walls_.for_contacts(p, settings_.materials,
                       [&](std::uint32_t /*i*/, const PairMaterial& pair, const ContactState& c,
                           const ContactHistory& h, Real share, std::uint32_t /*feature*/) {
                         contacts.walls += 1;
-                        contacts.elastic += share * stored(settings_.model, pair, c, h);
+                        contacts.add(stored(settings_.model, pair, c, h), share);
                       });
-  std::array<Real, 13> sums{static_cast<Real>(p.owned),
+  Spent spent = pairs_.spent();
+  spent.add(walls_.spent(), 1);
+  const Stored& held = contacts.stored;
+  spent.sliding -= held.shear, spent.rolling -= held.rolling;
+  std::array<Real, 16> sums{static_cast<Real>(p.owned),
                             contacts.pairs,
                             contacts.walls,
                             momentum.x,
@@ -73,19 +91,19 @@ Totals System::totals() const {
                             angular.z,
                             kinetic,
                             rotational,
-                            contacts.elastic,
-                            potential};
+                            potential,
+                            held.normal + held.shear + held.rolling,
+                            spent.normal,
+                            spent.sliding,
+                            spent.rolling};
   comm_.sum(sums);
   const auto whole = [&sums](int at) { return static_cast<Index>(std::llround(sums[at])); };
-  return {whole(0),
-          whole(1),
-          whole(2),
-          {sums[3], sums[4], sums[5]},
-          {sums[6], sums[7], sums[8]},
-          sums[9],
-          sums[10],
-          sums[11],
-          sums[12]};
+  Totals t;
+  t.particles = whole(0), t.contacts = whole(1), t.wall_contacts = whole(2);
+  t.momentum = {sums[3], sums[4], sums[5]}, t.angular_momentum = {sums[6], sums[7], sums[8]};
+  t.kinetic = sums[9], t.rotational = sums[10], t.potential = sums[11], t.elastic = sums[12];
+  t.dissipated = settings_.account ? Spent{sums[13], sums[14], sums[15]} : Spent{};
+  return t;
 }
 
 std::vector<ContactRecord> System::contacts() const {
@@ -116,6 +134,14 @@ Real System::largest_overlap() const {
 void System::reset_largest_overlap() {
   pairs_.reset_largest_overlap();
   walls_.reset_largest_overlap();
+}
+
+Real System::top_speed() const {
+  Real square = 0;
+  for (std::size_t i = 0; i < particles_.owned; ++i) {
+    square = std::max(square, dot(particles_.velocity[i], particles_.velocity[i]));
+  }
+  return comm_.max(std::sqrt(square));
 }
 
 Real System::contact_duration(Real speed) const {

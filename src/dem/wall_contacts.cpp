@@ -111,7 +111,7 @@ void WallContacts::add_forces(const ContactModel& model, const MaterialTable& ma
     std::array<Filled, batch_width> filled;
     b.count = 0;
     const auto flush = [&] {
-      evaluate(law, materials.pairs(), evaluation.dt, b);
+      evaluate(law, materials.pairs(), evaluation, b);
       for (int k = 0; k < b.count; ++k) {
         const auto [i, entry, share] = filled[k];
         const Vec3 force = share * b.force.get(k);
@@ -123,6 +123,9 @@ void WallContacts::add_forces(const ContactModel& model, const MaterialTable& ma
         b.store_history(k, numbers.data(), length_);
         next_[entry].history = std::bit_cast<ContactHistory>(numbers);
         largest_overlap_ = std::max(largest_overlap_, b.overlap[k] / p.radius[i]);
+        if (evaluation.account) {
+          spent_.add(b.spent(k), share);
+        }
       }
       b.count = 0;
     };

@@ -71,6 +71,8 @@ class WallContacts {
   [[nodiscard]] const WallTrouble& trouble() const { return trouble_; }
   [[nodiscard]] Real largest_overlap() const { return largest_overlap_; }
   void reset_largest_overlap() { largest_overlap_ = 0; }
+  [[nodiscard]] const Spent& spent() const { return spent_; }
+  void reset_spent(const Spent& to) { spent_ = to; }
 
  private:
   struct Candidate {  ///< a particle near a surface
@@ -106,6 +108,7 @@ class WallContacts {
   Real ahead_ = 0;  ///< [m] how far around a particle that does not touch is searched
   Real largest_speed_ = 0;
   Real largest_overlap_ = 0;
+  Spent spent_;
 };
 
 }  // namespace porefines::dem

@@ -88,6 +88,9 @@ Json summarise_dry(const DryRun& run, const Ending& ending, const io::Provenance
   json.set("elastic_j", now.totals.elastic);
   json.set("energy_j", now.energy);
   json.set("energy_lost_j", now.energy_lost);
+  json.set("dissipated_by_damping_j", now.totals.dissipated.normal);
+  json.set("dissipated_by_friction_j", now.totals.dissipated.sliding);
+  json.set("dissipated_by_rolling_j", now.totals.dissipated.rolling);
   json.set("steps", run.state.steps);
   json.set("time_step_s", run.state.step);
   json.set("ranks", provenance.ranks);

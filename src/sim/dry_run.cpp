@@ -112,8 +112,11 @@ void say_result(Log& log, const DryRun& run, const Outcome& outcome, const std::
   }
   log.info("contacts   {:.3f} per particle, largest overlap {:.2g} of a radius", now.coordination,
            now.max_overlap);
+  const dem::Spent& spent = now.totals.dissipated;
   log.info("energy     {:.4g} J kinetic, {:.4g} J elastic, {:.4g} J lost",
            now.totals.kinetic + now.totals.rotational, now.totals.elastic, now.energy_lost);
+  log.info("dissipated {:.4g} J by damping, {:.4g} J by friction, {:.4g} J by rolling: {:.4g} J",
+           spent.normal, spent.sliding, spent.rolling, now.dissipated);
   log.info("steps      {} in {:.3g} s", run.state.steps, outcome.ending.wall_time);
   log.info("results    {}", folder);
 }

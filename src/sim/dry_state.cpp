@@ -83,6 +83,8 @@ Moment look(const DryRun& run) {
                    ? now.totals.kinetic + now.totals.rotational + now.totals.elastic +
                          now.totals.potential + potential
                    : std::nan("");
+  const dem::Spent& spent = now.totals.dissipated;
+  now.dissipated = spent.normal + spent.sliding + spent.rolling;
   const EnergyBook& book = run.state.energy;
   now.energy_lost = book.start + book.injected - book.out - now.energy;
   return now;

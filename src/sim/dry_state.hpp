@@ -63,7 +63,8 @@ struct Moment {
   Vec3 mean;              ///< [m] position
   Vec3 sigma;             ///< [m] its standard deviation (thesis eq. 19)
   Real energy = 0;        ///< [J] kinetic + rotational + elastic + potential of gravity and forces
-  Real energy_lost = 0;   ///< [J] to damping and friction since the start
+  Real energy_lost = 0;   ///< [J] since the start: what is missing in `energy`
+  Real dissipated = 0;    ///< [J] by contacts, added up step by step: the same, were steps exact
   Real coordination = 0;  ///< contacts with others per particle
   Real max_overlap = 0;   ///< of a radius, since the start
 };

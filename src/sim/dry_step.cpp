@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "dem/step_size.hpp"
 #include "sim/dry_state.hpp"
 #include "sim/tracks.hpp"
 
@@ -15,36 +16,23 @@ namespace {
 
 constexpr Index longest_stretch = 500;  ///< steps between two looks at signals and open faces
 
-/// [m/s] of the fastest particle of all ranks.
-Real top_speed(const DryRun& run) {
-  const dem::Particles& p = run.system.particles();
-  Real square = 0;
-  for (std::size_t i = 0; i < p.owned; ++i) {
-    square = std::max(square, dot(p.velocity[i], p.velocity[i]));
-  }
-  return run.comm.max(std::sqrt(square));
-}
-
-/// [m] and [m/s^2]: the smallest radius there is, and the largest acceleration by gravity and forces.
-struct Scales {
-  Real radius = 0;
-  Real acceleration = 0;
-};
-
-Scales scales_of(const DryRun& run) {
-  Scales s{std::numeric_limits<Real>::max(), norm(run.system.settings().gravity)};
+/// What the step depends on: particles inside, and those that will enter.
+dem::Pace pace_of(const DryRun& run) {
+  dem::Pace pace{run.the_case.contact.steps_per_contact, std::numeric_limits<Real>::max(),
+                 norm(run.system.settings().gravity), run.system.top_speed()};
   const dem::Particles& p = run.system.particles();
   Real push = 0;
   for (std::size_t i = 0; i < p.owned; ++i) {
-    s.radius = std::min(s.radius, p.radius[i]);
+    pace.radius = std::min(pace.radius, p.radius[i]);
     push = std::max(push, norm(p.external_force[i]) * p.inverse_mass[i]);
   }
   for (const dem::Inlet& inlet : run.inlets) {
-    s.radius = std::min(s.radius, dem::smallest_diameter(inlet.sizes) / 2);
+    pace.radius = std::min(pace.radius, dem::smallest_diameter(inlet.sizes) / 2);
+    pace.speed = std::max(pace.speed, inlet.velocity);
   }
-  s.radius = run.comm.min(s.radius);
-  s.acceleration += run.comm.max(push);
-  return s;
+  pace.radius = run.comm.min(pace.radius);
+  pace.acceleration += run.comm.max(push);
+  return pace;
 }
 
 /// [s] of the next sample of any output after now, or the end.
@@ -65,22 +53,13 @@ Real next_sample(const DryRun& run) {
 }  // namespace
 
 Stretch choose_stretch(const DryRun& run) {
-  const Scales scales = scales_of(run);
+  const dem::Pace pace = pace_of(run);
   const Real left = next_sample(run) - run.state.time;
-  Real speed = top_speed(run);
-  for (const dem::Inlet& inlet : run.inlets) {
-    speed = std::max(speed, inlet.velocity);
-  }
-  // An impact as fast as after falling a radius from rest: nothing gentler needs a step of its own.
-  const Real slowest = std::sqrt(2 * scales.acceleration * scales.radius);
-  const Real impact = std::max({2 * speed, slowest, 1e-9});
-  const Real duration = run.system.contact_duration(impact);
-  const Real way = scales.radius / impact;  // in which the fastest goes half a radius
-  const Real longest =
-      std::min({duration / run.the_case.contact.steps_per_contact, way / 10, left});
+  const Real longest = std::min(dem::longest_step(run.system, pace), left);
   Real stretch = std::min(left, static_cast<Real>(longest_stretch) * longest);
   if (!run.inlets.empty()) {
-    stretch = std::min(stretch, way);  // or what enters would be late by more than its radius
+    // or what enters would be late by more than its radius
+    stretch = std::min(stretch, pace.radius / dem::impact_speed(pace));
   }
   const auto count = std::max<Index>(1, static_cast<Index>(std::ceil(stretch / longest - 1e-9)));
   return {stretch / static_cast<Real>(count), count};

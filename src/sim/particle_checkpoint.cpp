@@ -117,6 +117,11 @@ void put_snapshot(io::Checkpoint& checkpoint, const dem::Snapshot& snapshot) {
     put_array(checkpoint, name_of(array++), values);
   });
   put_contacts(checkpoint, snapshot.contacts);
+  const dem::Spent& a = snapshot.spent_among;
+  const dem::Spent& b = snapshot.spent_on_walls;
+  checkpoint.rows("contacts_spent",
+                  std::vector<Real>{a.normal, a.sliding, a.rolling, b.normal, b.sliding, b.rolling},
+                  6);
   checkpoint.rows("largest_overlap", std::vector<Real>{snapshot.largest_overlap});
   checkpoint.whole("walls_places", places_of(snapshot.walls));
   checkpoint.whole("lists", std::vector<Real>{snapshot.skin, snapshot.moved});
@@ -134,6 +139,11 @@ dem::Snapshot get_snapshot(const io::CheckpointReader& reader, dem::Surfaces wal
   snapshot.contacts = get_contacts(reader);
   for (const Real overlap : reader.rows<Real>("largest_overlap")) {
     snapshot.largest_overlap = std::max(snapshot.largest_overlap, overlap);
+  }
+  const auto spent = reader.rows<Real>("contacts_spent", 6);
+  for (std::size_t at = 0; at < spent.size(); at += 6) {
+    snapshot.spent_among.add({spent[at], spent[at + 1], spent[at + 2]}, 1);
+    snapshot.spent_on_walls.add({spent[at + 3], spent[at + 4], spent[at + 5]}, 1);
   }
   const auto lists = reader.whole<Real>("lists");
   snapshot.skin = lists.at(0), snapshot.moved = lists.at(1);

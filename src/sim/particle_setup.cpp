@@ -152,6 +152,7 @@ dem::Settings make_settings(const config::Case& the_case, const geom::Sample& sa
   settings.materials = make_materials(the_case);
   settings.model = make_contact_model(the_case, expected_speed(the_case, sample.box.size));
   settings.gravity = vec(the_case.gravity);
+  settings.account = true;
   const Walls walls = make_walls(the_case, sample);
   settings.walls = walls.surfaces;
   for (const bool smooth : walls.smooth) {

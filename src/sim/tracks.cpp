@@ -101,27 +101,12 @@ std::string out_rows(const DryRun& run, const std::function<bool(std::size_t)>& 
 }
 
 std::vector<std::string> series_columns() {
-  return {"time_s",
-          "particles_inside",
-          "particles_injected",
-          "particles_out",
-          "mean_speed_m_s",
-          "mean_x_m",
-          "mean_y_m",
-          "mean_z_m",
-          "sigma_x_m",
-          "sigma_y_m",
-          "sigma_z_m",
-          "kinetic_j",
-          "rotational_j",
-          "elastic_j",
-          "energy_j",
-          "energy_lost_j",
-          "contacts",
-          "wall_contacts",
-          "coordination_number",
-          "max_overlap",
-          "time_step_s"};
+  return {"time_s",         "particles_inside", "particles_injected", "particles_out",
+          "mean_speed_m_s", "mean_x_m",         "mean_y_m",           "mean_z_m",
+          "sigma_x_m",      "sigma_y_m",        "sigma_z_m",          "kinetic_j",
+          "rotational_j",   "elastic_j",        "energy_j",           "energy_lost_j",
+          "dissipated_j",   "contacts",         "wall_contacts",      "coordination_number",
+          "max_overlap",    "time_step_s"};
 }
 
 std::vector<Real> series_row(const DryRun& run, const Moment& now) {
@@ -142,6 +127,7 @@ std::vector<Real> series_row(const DryRun& run, const Moment& now) {
           now.totals.elastic,
           now.energy,
           now.energy_lost,
+          now.dissipated,
           static_cast<Real>(now.totals.contacts),
           static_cast<Real>(now.totals.wall_contacts),
           now.coordination,

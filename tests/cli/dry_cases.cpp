@@ -50,6 +50,8 @@ TEST_P(DryCases, settling_loses_energy_and_no_grain) {
     EXPECT_NEAR(series.at(row, "time_s"), 1e-3 * static_cast<double>(row), 1e-12);
     // What is lost never comes back: within 1e-4 of the energy that falls, the error of the steps.
     EXPECT_GE(series.at(row, "energy_lost_j"), series.at(row - 1, "energy_lost_j") - 1e-4 * start);
+    EXPECT_NEAR(series.at(row, "dissipated_j"), series.at(row, "energy_lost_j"), 2e-3 * start)
+        << "added up by contacts, against the balance";
     EXPECT_NEAR(series.at(row, "energy_j") + series.at(row, "energy_lost_j"), start, 1e-9 * start);
   }
   EXPECT_NEAR(series.at(3, "energy_lost_j"), 0, 0.1 * start) << "they still fall";

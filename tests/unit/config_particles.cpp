@@ -162,6 +162,9 @@ const Wrong wrongs[] = {
     {"[flow]\nperiodic = [\"x\"]\npressure_gradient = \"1 Pa/m\"\n[grid]\ncells = [4, 4, 4]\n",
      "7: [[particles]]: particles in a flow are not available in this version\n"
      "without [flow] they move dry"},
+    {"[contact]\nintegrator = \"overdamped\"\n",
+     "12: [contact] integrator: \"overdamped\" needs a liquid that resists\n"
+     "\"auto\" or \"newton-euler\" without a flow"},
     {"[[output]]\nkind = \"fields\"\n",
      "11: [[output]]: there are no fields without a flow\n"
      "kinds here: pictures, tracks, summary"},
