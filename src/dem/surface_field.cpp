@@ -182,9 +182,10 @@ void find_touches(const DistanceField& field, const Vec3& centre, Real radius, R
     out.uncovered = true;
     return;
   }
-  Starts starts;
+  static thread_local Starts starts;  // kilobytes that would be cleared at every call
+  static thread_local Feet feet;
+  starts.count = feet.count = 0, starts.lost = feet.lost = 0;
   find_starts(field.points, x, within, starts);
-  Feet feet;
   descend(field, x, starts, feet);
   out.lost += starts.lost + feet.lost;
   const std::span<Foot> found = keep_near_side({feet.foot.data(), feet.count}, within);

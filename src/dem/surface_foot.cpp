@@ -12,7 +12,7 @@ namespace {
 
 constexpr int most_steps = 30;
 constexpr Real longest_step = 0.7;  // [voxels]
-constexpr Real settled = 1e-6;  // [voxels] of the last step; the distance is then right to 1e-12
+constexpr Real settled = 3e-5;      // [voxels] of the last step; the distance is then right to 1e-9
 constexpr Real nearly_settled = 0.02;  // [voxels] of the tangential offset
 constexpr Real on_surface = 1e-3;      // [voxels] good enough where the last steps did not settle
 constexpr Real joins = 0.4;            // [voxels] from a known foot

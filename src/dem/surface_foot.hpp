@@ -25,7 +25,7 @@ struct Foot {
 ///     (I + d S) t = e,    x <- x + t - (s/|grad s| + t.S t / 2) n
 ///
 /// with the absolute values of the eigenvalues of I + d S (negative on a saddle), so that the step
-/// goes downhill; steps that do not are shortened. Quadratic; 3-4 evaluations.
+/// goes downhill; steps that do not are shortened. Quadratic; about 3 evaluations.
 /// A descent that comes within 0.4 voxel of one of the `known` feet ends there, with nothing found.
 [[nodiscard]] Foot find_foot(const SurfaceSpline& spline, const Vec3& centre, const Vec3& start,
                              std::span<const Foot> known = {});

@@ -44,7 +44,7 @@ std::string rows_until(const std::string& content, Real time) {
 
 }  // namespace
 
-SeriesWriter::SeriesWriter(std::string path, std::vector<std::string> names)
+SeriesWriter::SeriesWriter(std::string path, const std::vector<std::string>& names)
     : SeriesWriter(std::move(path), names.size(), header_of(names)) {}
 
 SeriesWriter::SeriesWriter(std::string path, std::size_t columns, const std::string& content)

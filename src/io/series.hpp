@@ -19,7 +19,7 @@ class SeriesWriter {
  public:
   /// Starts a new table, replacing what was there.
   /// @throws RunError  when the file cannot be written
-  SeriesWriter(std::string path, std::vector<std::string> names);
+  SeriesWriter(std::string path, const std::vector<std::string>& names);
 
   /// Continues a table: keeps the rows whose time is at most `time`, drops the others and a row
   /// that was cut short. A missing file starts a new table.
