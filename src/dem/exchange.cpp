@@ -2,27 +2,16 @@
 #include "dem/exchange.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <numeric>
-#include <type_traits>
 
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "dem/parcels.hpp"
 
 namespace porefines::dem {
 
 namespace {
-
-/// A particle as it travels to a new owner; its kept contacts follow.
-struct Traveller {
-  Vec3 position, velocity, angular_velocity, force, torque, external_force, external_torque;
-  Real radius, mass;
-  std::uint64_t id;
-  std::uint32_t contacts;
-  std::uint16_t species;
-  std::uint8_t flags;
-};
 
 /// What a ghost needs once; the rest is refreshed every step.
 struct GhostParcel {
@@ -31,78 +20,6 @@ struct GhostParcel {
   std::uint32_t species;
   std::uint32_t flags;
 };
-
-template <typename T>
-void put(std::vector<std::byte>& out, const T* data, std::size_t count = 1) {
-  static_assert(std::is_trivially_copyable_v<T>);
-  const auto* bytes = reinterpret_cast<const std::byte*>(data);
-  out.insert(out.end(), bytes, bytes + sizeof(T) * count);
-}
-
-template <typename T>
-const std::byte* take(const std::byte* from, T* data, std::size_t count = 1) {
-  std::memcpy(static_cast<void*>(data), from, sizeof(T) * count);
-  return from + sizeof(T) * count;
-}
-
-/// Sends bytes of unknown length one way round; either end may be absent (-1).
-std::vector<std::byte> pass_on(MPI_Comm comm, const std::vector<std::byte>& out, int to, int from) {
-  const int dest = to < 0 ? MPI_PROC_NULL : to;
-  const int source = from < 0 ? MPI_PROC_NULL : from;
-  Index sizes[2] = {static_cast<Index>(out.size()), 0};
-  MPI_Sendrecv(&sizes[0], 1, MPI_INT64_T, dest, 0, &sizes[1], 1, MPI_INT64_T, source, 0, comm,
-               MPI_STATUS_IGNORE);
-  std::vector<std::byte> in(static_cast<std::size_t>(sizes[1]));
-  MPI_Sendrecv(out.data(), static_cast<int>(out.size()), MPI_BYTE, dest, 1, in.data(),
-               static_cast<int>(in.size()), MPI_BYTE, source, 1, comm, MPI_STATUS_IGNORE);
-  return in;
-}
-
-void pack(const Particles& p, const KeptContacts& kept, std::size_t i,
-          std::vector<std::byte>& out) {
-  const auto contacts = kept.of(i);
-  const Traveller t{p.position[i],
-                    p.velocity[i],
-                    p.angular_velocity[i],
-                    p.force[i],
-                    p.torque[i],
-                    p.external_force[i],
-                    p.external_torque[i],
-                    p.radius[i],
-                    p.mass[i],
-                    p.id[i],
-                    static_cast<std::uint32_t>(contacts.size()),
-                    p.species[i],
-                    p.flags[i]};
-  put(out, &t);
-  put(out, contacts.data(), contacts.size());
-  if (p.creeps) {
-    Creeping::for_arrays(p.creeping, [&](const auto& array) { put(out, &array[i]); });
-  }
-}
-
-void unpack(const std::vector<std::byte>& in, Particles& p, KeptContacts& kept) {
-  std::vector<KeptContact> contacts;
-  for (const std::byte* at = in.data(); at != in.data() + in.size();) {
-    Traveller t;
-    at = take(at, &t);
-    contacts.resize(t.contacts);
-    at = take(at, contacts.data(), contacts.size());
-    p.resize(p.owned + 1);
-    const std::size_t i = p.owned++;
-    p.position[i] = t.position, p.velocity[i] = t.velocity;
-    p.angular_velocity[i] = t.angular_velocity;
-    p.force[i] = t.force, p.torque[i] = t.torque;
-    p.external_force[i] = t.external_force, p.external_torque[i] = t.external_torque;
-    p.radius[i] = t.radius, p.mass[i] = t.mass, p.id[i] = t.id;
-    p.species[i] = t.species, p.flags[i] = t.flags, p.pushed[i] = 1;
-    p.set_fixed(i, (t.flags & flag::fixed) != 0);
-    kept.append(contacts);
-    if (p.creeps) {
-      Creeping::for_arrays(p.creeping, [&](auto& array) { at = take(at, &array[i]); });
-    }
-  }
-}
 
 }  // namespace
 
@@ -126,47 +43,6 @@ Exchange::Exchange(const par::Communicator& comm, const Box& box, const Blocks& 
       const bool crosses = here_[a] == (side == 0 ? 0 : parts - 1);
       leg.shift = crosses ? (side == 0 ? 1 : -1) * box_.length(a) : 0;
     }
-  }
-}
-
-bool Exchange::move_along(int axis, Particles& p, KeptContacts& kept) {
-  const int parts = blocks_.ranks[axis];
-  std::array<std::vector<std::byte>, 2> out;
-  std::vector<std::uint32_t> stay;
-  for (std::uint32_t i = 0; i < p.owned; ++i) {
-    int hops = blocks_.coordinates(blocks_.owner(p.position[i]))[axis] - here_[axis];
-    if (box_.periodic[axis] && 2 * std::abs(hops) > parts) {
-      hops -= hops > 0 ? parts : -parts;
-    }
-    if (hops == 0) {
-      stay.push_back(i);
-    } else {
-      pack(p, kept, i, out[hops < 0 ? 0 : 1]);
-    }
-  }
-  if (stay.size() < p.owned) {
-    p.reorder(stay), kept.reorder(stay);
-    p.owned = stay.size();
-  }
-  for (int side = 0; side < 2; ++side) {
-    const Leg& leg = legs_[axis][side];
-    unpack(pass_on(comm_.handle(), out[side], leg.to, leg.from), p, kept);
-    messages_ += leg.to >= 0 ? 1 : 0;
-  }
-  return !out[0].empty() || !out[1].empty();
-}
-
-void Exchange::migrate(Particles& p, KeptContacts& kept) {
-  for (std::size_t i = 0; i < p.owned; ++i) {
-    p.position[i] = box_.wrapped(p.position[i]);
-  }
-  bool travelled = comm_.size() > 1;
-  while (travelled) {  // twice as a rule: one block at a time until nobody moves
-    bool moved = false;
-    for (int a = 0; a < 3; ++a) {
-      moved = (blocks_.ranks[a] > 1 && move_along(a, p, kept)) || moved;
-    }
-    travelled = comm_.max(moved ? 1.0 : 0.0) > 0;
   }
 }
 
