@@ -55,7 +55,8 @@ struct Throat {
 /// How throats lie in their sample.
 struct ThroatFrame {
   int flow_axis = 0;
-  Real depth = 0;  ///< [m] of a 2D image; 0: one pixel
+  Real depth = 0;               ///< [m] of a 2D image; 0: one pixel
+  std::array<bool, 3> walls{};  ///< axes whose faces end a throat instead of mirroring it
   /// [m] to the grains where it is known better than from the voxels, as for lists
   std::function<Real(const Vec3&)> distance = {};
 };

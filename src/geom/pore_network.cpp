@@ -90,7 +90,11 @@ PoreNetwork find_network(const Sample& sample, Real cell_size) {
   const Real sigma = !image || spec.smooth < 0 ? 1 : spec.smooth / spec.pixel_size;
   const VoxelSolid solid =
       whole_solid(image ? sample.voxels.view() : drawn.view(), pixel, sample.box.beyond, sigma);
-  ThroatFrame frame{spec.flow_axis, size.z, {}};
+  ThroatFrame frame{spec.flow_axis, size.z, {}, {}};
+  for (int a = 0; a < 3; ++a) {  // particles do not leave through the sides
+    frame.walls[static_cast<std::size_t>(a)] =
+        !periodic[static_cast<std::size_t>(a)] && a != spec.flow_axis;
+  }
   if (!image) {
     const Real band = pixel * *std::max_element(solid.s.begin(), solid.s.end());
     frame.distance = [exact = make_solid(sample, {}, size, std::max(band, pixel))](const Vec3& x) {

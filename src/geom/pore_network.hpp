@@ -36,7 +36,8 @@ struct PoreNetwork {
 
 /// Of a sample: the image itself; spheres and cylinders are first drawn into voxels of `cell_size`, a
 /// 100th to a 200th of the longest edge (cylinders also finer), then their throats are measured on
-/// the list itself. No pores and throats in an empty box.
+/// the list itself. Sides that are not periodic are walls: a throat between a grain and a side is as
+/// wide as the gap. No pores and throats in an empty box.
 /// Not collective: one rank is enough, see share_network. Cost: 512^2 pixels well below 1 s,
 /// 200^3 voxels some seconds.
 [[nodiscard]] PoreNetwork find_network(const Sample& sample, Real cell_size);

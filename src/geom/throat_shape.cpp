@@ -56,23 +56,36 @@ ThroatShape::ThroatShape(const VoxelSolid& solid, const Basins& pores,
   }
 }
 
-/// Distance from x along e to the surface [m], at most `most`; marching by the distance itself.
+Real ThroatShape::way_to_face(const Vec3& x, const Vec3& e) const {
+  Real way = std::numeric_limits<Real>::max();
+  for (int a = 0; a < 3; ++a) {
+    if (frame_.walls[static_cast<std::size_t>(a)] && !(flat_ && a == 2) && e[a] != 0) {
+      const Real face = e[a] > 0 ? solid_.n[a] * solid_.pixel : 0;
+      way = std::min(way, std::max((face - x[a]) / e[a], 0.0));
+    }
+  }
+  return way;
+}
+
+/// Distance from x along e to the surface or a wall [m], at most `most`; marching by the distance
+/// itself.
 Real ThroatShape::way_to_wall(const Vec3& x, const Vec3& e, Real most) const {
   const Real close = 0.01 * solid_.pixel;
+  const Real end = std::min(most, way_to_face(x, e));
   Real t = 0;
-  while (t < most) {
+  while (t < end) {
     const Real s = frame_.distance(x + t * e);
     if (s < close) {
-      return t + s;
+      return std::min(t + s, end);
     }
     t += std::max(0.9 * s, 2 * close);
   }
-  return most;
+  return end;
 }
 
 std::optional<Throat> ThroatShape::measure(const Vec3& x, std::int32_t low,
                                            std::int32_t high) const {
-  auto throat = shortest_chord(x);
+  auto throat = shortest_chord(away_from_walls(x));
   if (!throat) {
     return {};
   }
@@ -92,6 +105,31 @@ std::optional<Throat> ThroatShape::measure(const Vec3& x, std::int32_t low,
     throat->centre.z = throat->from.z = throat->to.z = 0.5 * frame_.depth;
   }
   return throat;
+}
+
+/// The distance mirrors at walls and so is largest on them: to where the grain is as near as the
+/// wall, lest a leaning chord cuts a corner.
+Vec3 ThroatShape::away_from_walls(Vec3 x) const {
+  constexpr int most_steps = 1000;
+  for (int n = 0; n < most_steps; ++n) {
+    Vec3 off;
+    Real nearest = std::numeric_limits<Real>::max();
+    for (int a = 0; a < 3; ++a) {
+      for (const Real sign : {-1.0, 1.0}) {
+        Vec3 e;
+        e[a] = sign;
+        if (const Real way = way_to_face(x, e); way < nearest) {
+          nearest = way;
+          off = -1 * e;
+        }
+      }
+    }
+    if (nearest >= frame_.distance(x) - 0.01 * solid_.pixel) {
+      break;
+    }
+    x += std::min(0.5 * solid_.pixel, frame_.distance(x) - nearest) * off;
+  }
+  return x;
 }
 
 std::optional<Throat> ThroatShape::shortest_chord(const Vec3& x) const {

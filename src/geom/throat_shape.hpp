@@ -31,6 +31,7 @@ class ThroatShape {
                                               std::int32_t high) const;
 
  private:
+  [[nodiscard]] Vec3 away_from_walls(Vec3 x) const;
   [[nodiscard]] std::optional<Throat> shortest_chord(const Vec3& x) const;
   void find_normal(Throat& throat) const;
   [[nodiscard]] Real section(const Throat& throat, const Vec3& normal, int rays) const;
@@ -48,6 +49,7 @@ class ThroatShape {
   [[nodiscard]] std::int32_t basin_at(const Vec3& x) const;
   [[nodiscard]] Vec3 inside(Vec3 x) const;
 
+  [[nodiscard]] Real way_to_face(const Vec3& x, const Vec3& e) const;
   [[nodiscard]] Real way_to_wall(const Vec3& x, const Vec3& e, Real most) const;
 
   const VoxelSolid& solid_;

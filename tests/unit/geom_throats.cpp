@@ -135,6 +135,33 @@ TEST(Throats, of_a_list_of_cylinders_are_measured_on_the_list) {
   EXPECT_NE(text.find("\n0,"), std::string::npos);
 }
 
+TEST(Throats, at_a_side_that_is_a_wall_are_as_wide_as_the_gap) {
+  const Voxels voxels = support::rasterise(
+      {120, 60, 1}, [](const Vec3& x) { return std::hypot(x.x - 60, x.y - 34) - 26; });
+  const VoxelSolid solid = whole_solid(voxels.view(), 1, mirrored, 1);
+  for (const bool wall : {true, false}) {
+    const PoreNetwork network = find_network(solid, {}, {0, 1, {false, wall, false}, {}});
+    const auto low = std::find_if(network.throats.begin(), network.throats.end(),
+                                  [](const Throat& t) { return t.centre.y < 10; });
+    ASSERT_NE(low, network.throats.end());
+    EXPECT_NEAR(low->width, wall ? 8 : 16, 0.6);
+    EXPECT_NEAR(low->centre.y, wall ? 4 : 0, 0.4);
+  }
+}
+
+TEST(Throats, of_a_volume_between_plates_end_at_the_plates) {
+  const Voxels voxels = support::rasterise({80, 60, 14}, [](const Vec3& x) {
+    return std::min(std::hypot(x.x - 40, x.y - 5) - 20, std::hypot(x.x - 40, x.y - 55) - 20);
+  });
+  const VoxelSolid solid = whole_solid(voxels.view(), 1, mirrored, 1);
+  const PoreNetwork network = find_network(solid, {}, {0, 0, {false, true, true}, {}});
+  const auto middle = std::find_if(network.throats.begin(), network.throats.end(),
+                                   [](const Throat& t) { return std::abs(t.centre.y - 30) < 3; });
+  ASSERT_NE(middle, network.throats.end());
+  EXPECT_NEAR(middle->width, 10, 0.7);
+  EXPECT_NEAR(middle->area, 10 * 14, 0.07 * 140);
+}
+
 TEST(Throats, between_three_touching_spheres_have_the_area_of_the_gap) {
   // a triangle of spheres of radius r in the plane x = 0, walls away: gap sqrt(3) r^2 - pi/2 r^2
   Sample sample;
