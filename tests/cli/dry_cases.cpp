@@ -110,13 +110,13 @@ TEST_P(DryCases, packing_is_dense_and_stays) {
 
 INSTANTIATE_TEST_SUITE_P(Ranks, DryCases, ::testing::Values(1, 2));
 
-const std::string injected_case = R"(gravity = "9.81 m/s^2"
-[run]
-end_time = "30 ms"
-[geometry]
-kind = "empty"
-size = ["2 mm", "2 mm", "2 mm"]
-[box]
+/// Gravity downwards in a box of 2 mm.
+std::string in_a_box(const std::string& end_time) {
+  return "gravity = \"9.81 m/s^2\"\n[run]\nend_time = \"" + end_time +
+         "\"\n[geometry]\nkind = \"empty\"\nsize = [\"2 mm\", \"2 mm\", \"2 mm\"]\n";
+}
+
+const std::string injected_case = in_a_box("30 ms") + R"([box]
 open = ["z-"]
 [[particles]]
 diameter = { mean = "0.2 mm", standard_deviation = "0.02 mm" }
@@ -171,13 +171,7 @@ TEST(DryRun, a_dry_run_tells_the_numbers_and_moves_nothing) {
 
 TEST(DryRun, elastic_impacts_keep_their_energy) {
   const test::Scratch folder;
-  write_file(folder / "case.toml", R"(gravity = "9.81 m/s^2"
-[run]
-end_time = "50 ms"
-[geometry]
-kind = "empty"
-size = ["2 mm", "2 mm", "2 mm"]
-[[particles]]
+  write_file(folder / "case.toml", in_a_box("50 ms") + R"([[particles]]
 name = "large"
 diameter = "0.3 mm"
 young = "2 MPa"
@@ -237,13 +231,7 @@ TEST(DryRun, particles_rest_on_a_mesh) {
   write_file(folder / "plate.stl", "solid plate\n" + facet("-1 -1 0", "3 -1 0", "3 3 0") +
                                        facet("-1 -1 0", "3 3 0", "-1 3 0") + "endsolid plate\n");
   write_file(folder / "list.csv", "x_m,y_m,z_m,diameter_m\n1e-3,1e-3,0.7e-3,0.2e-3\n");
-  write_file(folder / "case.toml", R"(gravity = "9.81 m/s^2"
-[run]
-end_time = "60 ms"
-[geometry]
-kind = "empty"
-size = ["2 mm", "2 mm", "2 mm"]
-[[particles]]
+  write_file(folder / "case.toml", in_a_box("60 ms") + R"([[particles]]
 source = "list.csv"
 young = "1 MPa"
 [[surface]]
