@@ -174,15 +174,30 @@ void draw_curve(cv::Mat& canvas, const Curve& c, const Axis& x, const Axis& y, c
   }
 }
 
-void draw_legend(cv::Mat& canvas, const std::vector<Curve>& curves) {
+/// On the side of the upper third that fewer points pass.
+bool legend_left(const std::vector<Curve>& curves, const Axis& x, const Axis& y) {
+  int left = 0;
+  int right = 0;
+  for (const Curve& c : curves) {
+    for (std::size_t i = 0; i < std::min(c.x.size(), c.y.size()); ++i) {
+      if (x.shows(c.x[i]) && y.shows(c.y[i]) && y.at(c.y[i]) < plot.y + plot.height / 3) {
+        ++(x.at(c.x[i]) < plot.x + plot.width / 2 ? left : right);
+      }
+    }
+  }
+  return left < right;
+}
+
+void draw_legend(cv::Mat& canvas, const std::vector<Curve>& curves, bool at_left) {
   int y = plot.y + 20;
   for (std::size_t k = 0; k < curves.size(); ++k) {
     if (curves[k].name.empty()) {
       continue;
     }
     const TextStyle style{.height = layout::text, .colour = inks[k % inks.size()]};
-    const int left = plot.x + plot.width - 16 - text_width(curves[k].name, style);
-    cv::rectangle(canvas, cv::Rect(left - 4, y - 18, plot.x + plot.width - left + 4, 24),
+    const int width = text_width(curves[k].name, style);
+    const int left = at_left ? plot.x + 14 : plot.x + plot.width - 16 - width;
+    cv::rectangle(canvas, cv::Rect(left - 4, y - 18, width + 8, 24),
                   cv::Scalar(255, 255, 255), cv::FILLED);
     draw_text(canvas, curves[k].name, left, y, style);
     y += 25;
@@ -215,7 +230,7 @@ Picture draw_chart(const std::vector<Curve>& curves, const ChartStyle& style) {
   for (std::size_t k = 0; k < curves.size(); ++k) {
     draw_curve(canvas, curves[k], x, y, inks[k % inks.size()]);
   }
-  draw_legend(canvas, curves);
+  draw_legend(canvas, curves, legend_left(curves, x, y));
   return to_picture(canvas);
 }
 

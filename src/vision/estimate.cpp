@@ -17,7 +17,7 @@ namespace {
 constexpr int widest = 21;  // [pixels] of the windows before the diameter is known
 // Chosen on the listed centres of image_sequence; bulk_water then has its 370 a frame as well.
 constexpr Real faint_levels =
-    2.9;  // [grey levels] mean over the disc of a particle in faint frames
+    2.88;  // [grey levels] mean over the disc of a particle in faint frames
 
 /// Value below which this share of the numbers lies.
 Real quantile(std::vector<float>& values, Real share) {

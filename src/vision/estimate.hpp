@@ -33,7 +33,7 @@ struct DetectWishes {
 ///
 /// Where the particles of 8-bit frames are fainter than 32 grey levels, haloes and the steps of the
 /// grey levels imitate neighbours: then the background is taken in whole levels, only one particle is
-/// kept per diameter, a particle has 2.9 levels on the mean over its disc, and centres are centroids.
+/// kept per diameter, a particle has 2.88 levels on the mean over its disc, and centres are centroids.
 /// @throws InputError  no frames
 /// Test: vision/detect, vision/real_video.
 [[nodiscard]] DetectSettings estimate(std::span<const cv::Mat> frames, const Still& still,

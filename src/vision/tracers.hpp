@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <vector>
+
+#include "vision/flow_field.hpp"
+#include "vision/track_table.hpp"
+
+namespace porefines::vision {
+
+struct TracerSpec {
+  int count = 200;  ///< in the box at any time, about
+  int frames = 100;
+  Real frame_time = 1;  ///< [s]
+  bool middle = true;   ///< all on the middle plane; otherwise anywhere in the depth
+  int stuck = 0;        ///< further ones that never move
+  unsigned long long seed = 1;
+};
+
+/// Points that the flow of a run carries, frame by frame, as rows of a table of tracks. They start
+/// anywhere in the pores; what leaves is followed by a new one at the inlet, where the flow is strong in
+/// proportion, so that the concentration stays even. Velocities are those of the field.
+/// Test: vision/tracers.
+[[nodiscard]] std::vector<std::vector<TrackRow>> make_tracers(const FlowField& field,
+                                                              const TracerSpec& spec);
+
+}  // namespace porefines::vision
