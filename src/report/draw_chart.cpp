@@ -197,8 +197,8 @@ void draw_legend(cv::Mat& canvas, const std::vector<Curve>& curves, bool at_left
     const TextStyle style{.height = layout::text, .colour = inks[k % inks.size()]};
     const int width = text_width(curves[k].name, style);
     const int left = at_left ? plot.x + 14 : plot.x + plot.width - 16 - width;
-    cv::rectangle(canvas, cv::Rect(left - 4, y - 18, width + 8, 24),
-                  cv::Scalar(255, 255, 255), cv::FILLED);
+    cv::rectangle(canvas, cv::Rect(left - 4, y - 18, width + 8, 24), cv::Scalar(255, 255, 255),
+                  cv::FILLED);
     draw_text(canvas, curves[k].name, left, y, style);
     y += 25;
   }

@@ -72,15 +72,38 @@ cv::Mat on_canvas(const cv::Mat& mask, cv::Size canvas, Real shrink, Real blur, 
   return out;
 }
 
+constexpr int coarse = 4;  // the first search looks at every fourth pixel
+
+/// The shift of the highest correlation [pixels of the full picture].
+cv::Point2d best_shift(const cv::Mat& video, const cv::Mat& padded_run) {
+  cv::Mat correlation;
+  cv::matchTemplate(padded_run, video, correlation, cv::TM_CCORR);
+  cv::Point top;
+  cv::minMaxLoc(correlation, nullptr, nullptr, nullptr, &top);
+  return {static_cast<Real>(coarse * (top.x - video.cols / 2)),
+          static_cast<Real>(coarse * (top.y - video.rows / 2))};
+}
+
 Warp search(const cv::Mat& video, const cv::Mat& inside, const cv::Mat& run,
             const cv::Mat& run_inside) {
-  constexpr Real step = 3 * std::numbers::pi / 180;
+  constexpr Real step = 2 * std::numbers::pi / 180;
   Warp best;
   Real most = score(video, inside, run, run_inside, best);
-  for (const Real scale : {0.8, 0.86, 0.93, 1.0, 1.07, 1.15, 1.25}) {
-    for (int turn = -5; turn <= 5; ++turn) {
+  // Without their means, so that the empty part of the canvas has no edge.
+  const cv::Mat seen = (video - cv::mean(video, inside > 0.5)[0]).mul(inside);
+  cv::Mat there;
+  run_inside.convertTo(there, CV_32F, 1.0 / 255);
+  const cv::Mat known = (run - cv::mean(run, run_inside)[0]).mul(there);
+  cv::Mat small_seen;
+  cv::Mat padded;
+  cv::resize(seen, small_seen, {}, 1.0 / coarse, 1.0 / coarse, cv::INTER_AREA);
+  cv::resize(known, padded, small_seen.size(), 0, 0, cv::INTER_AREA);
+  cv::copyMakeBorder(padded, padded, small_seen.rows / 2, small_seen.rows / 2, small_seen.cols / 2,
+                     small_seen.cols / 2, cv::BORDER_CONSTANT, cv::Scalar(0));
+  for (const Real scale : {0.8, 0.84, 0.88, 0.92, 0.96, 1.0, 1.04, 1.08, 1.13, 1.19, 1.25}) {
+    for (int turn = -7; turn <= 7; ++turn) {
       Warp w{0, 0, turn * step, scale};
-      const cv::Point2d shift = cv::phaseCorrelate(warped(video, w), run);
+      const cv::Point2d shift = best_shift(warped(small_seen, w), padded);
       w.x = shift.x;
       w.y = shift.y;
       const Real s = score(video, inside, run, run_inside, w);

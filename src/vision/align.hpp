@@ -20,8 +20,8 @@ struct Alignment {
   [[nodiscard]] cv::Point2d apply(const cv::Point2d& x) const;
 };
 
-/// Finds the alignment of two grain masks by their correlation: scales 0.8 to 1.25 and angles within 15
-/// degrees in steps, the shift of each by phase correlation; then all four together by halving steps.
+/// Finds the alignment of two grain masks by their correlation: scales 0.8 to 1.25 and angles within 14
+/// degrees in steps, the shift of each by correlation; then all four together by halving steps.
 /// @param video, run  nonzero: grain; row 0 at the top; one pixel of `pixel_size` [m] each
 /// Test: vision/align.
 [[nodiscard]] Alignment align(const cv::Mat& video, const cv::Mat& run, Real pixel_size);

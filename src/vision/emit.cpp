@@ -39,7 +39,7 @@ void RowMaker::add(int frame, const Spots& spots, const std::vector<Index>& ids)
       continue;
     }
     TrackRow row;
-    row.time = (scale_.first_frame + frame) * scale_.frame_time;
+    row.time = time_of(scale_, frame);
     row.id = number;
     row.x = (spots[i].x + 0.5) * scale_.pixel_size;
     row.y = (scale_.height - 0.5 - spots[i].y) * scale_.pixel_size;
@@ -56,6 +56,7 @@ void RowMaker::add(int frame, const Spots& spots, const std::vector<Index>& ids)
         w.next_frame[at] = frame;
         w.next[at] = row;
         before = w.rows[at];
+        fill_gap(then, at, row, frame);
       }
     }
     last_[ids[i]] = {frame, now.rows.size()};
@@ -69,6 +70,27 @@ void RowMaker::add(int frame, const Spots& spots, const std::vector<Index>& ids)
   waiting_.push_back(std::move(now));
   while (waiting_.size() > static_cast<std::size_t>(memory_) + 1) {
     release();
+  }
+}
+
+void RowMaker::fill_gap(int from, std::size_t at, const TrackRow& to, int frame) {
+  const int front = waiting_.front().frame;
+  const TrackRow start = waiting_[static_cast<std::size_t>(from - front)].rows[at];
+  const Index id = waiting_[static_cast<std::size_t>(from - front)].ids[at];
+  for (int f = from + 1; f < frame; ++f) {
+    Waiting& w = waiting_[static_cast<std::size_t>(f - front)];
+    const Real t = static_cast<Real>(f - from) / (frame - from);
+    TrackRow row = start;
+    row.time = time_of(scale_, f);
+    row.x = (1 - t) * start.x + t * to.x;
+    row.y = (1 - t) * start.y + t * to.y;
+    row.state = state_of(id, f);
+    w.rows.push_back(row);
+    w.ids.push_back(-1);  // last_ does not point here
+    w.next_frame.push_back(frame);
+    w.next.push_back(to);
+    w.before_frame.push_back(0);
+    w.before.push_back(start);
   }
 }
 

@@ -22,6 +22,11 @@ struct Scale {
   Real diameter = TrackRow::unknown;  ///< [m]
 };
 
+/// [s] of a frame counted from the first that was tracked: 19 frames at 10 a second are 1.9 s.
+[[nodiscard]] inline Real time_of(const Scale& scale, int frame) {
+  return (scale.first_frame + frame) / (1 / scale.frame_time);
+}
+
 /// Which tracks there are in the end, and when they rested.
 struct Kept {
   std::vector<Index> number;  ///< of every linked track, from 1; 0: dropped
@@ -32,7 +37,8 @@ struct Kept {
 ///
 ///     u = (x_next - x_before) / (t_next - t_before),
 ///
-/// one-sided at the ends of a track, over a gap where it was out of sight. Rows leave as soon as the
+/// one-sided at the ends of a track. Where a particle was out of sight for some frames and came back, it
+/// has rows in between, on the straight line. Rows leave as soon as the
 /// next sighting is known or cannot come any more, after `memory` + 1 frames.
 class RowMaker {
  public:
@@ -53,6 +59,7 @@ class RowMaker {
     std::vector<int> before_frame;
     std::vector<TrackRow> before;
   };
+  void fill_gap(int from, std::size_t at, const TrackRow& to, int frame);
   void release();
   [[nodiscard]] TrackState state_of(Index id, int frame) const;
 

@@ -70,6 +70,10 @@ Vec3 velocity_at(const FlowField& field, const Vec3& x) {
           value_at(field.velocity, x, 2)};
 }
 
+Real solid_fraction(const FlowField& field, const Vec3& x) {
+  return value_at(field.solid, x, 0);
+}
+
 bool is_solid(const FlowField& field, const Vec3& x) {
   const Vec3 low = field.low();
   const Vec3 high = field.high();

@@ -27,6 +27,9 @@ struct FlowField {
 /// Trilinear between the centres of the cells, constant beyond them [m/s].
 [[nodiscard]] Vec3 velocity_at(const FlowField& field, const Vec3& x);
 
+/// Share of grain around a place, as velocity_at.
+[[nodiscard]] Real solid_fraction(const FlowField& field, const Vec3& x);
+
 /// More grain than pore there, or outside of the box.
 [[nodiscard]] bool is_solid(const FlowField& field, const Vec3& x);
 

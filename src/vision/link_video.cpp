@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <memory>
+#include <optional>
 
 #include "core/error.hpp"
 #include "vision/flow_field.hpp"
@@ -49,12 +51,9 @@ std::vector<Spots> first_stretch(const Parts& parts, std::size_t most) {
   return out;
 }
 
-Learnt learn(const Parts& parts, const LinkSettings& link, const TrackSettings& settings,
-             cv::Size size, Real frame_rate) {
-  const bool known = !settings.velocity_field.empty();
-  const Guide guide =
-      known ? guide_of_run(settings.velocity_field, size, settings.pixel_size, frame_rate)
-            : mean_flow(parts.frames, parts.breaks, size, link.range);
+Learnt learn(const Parts& parts, const LinkSettings& link, const std::optional<Guide>& known,
+             cv::Size size) {
+  const Guide guide = known ? *known : mean_flow(parts.frames, parts.breaks, size, link.range);
   if (link.method == LinkMethod::thesis) {
     return {guide, {}, 0};
   }
@@ -68,16 +67,23 @@ struct CloseFile {
 
 }  // namespace
 
-Real estimated_range(std::span<const Spots> frames, const std::vector<bool>& breaks,
-                     cv::Size size) {
-  const Real gap = spacing(frames, size);
-  const Guide guide = mean_flow(frames, breaks, size, 2.5 * gap);
+Real reach_of(const Guide& guide) {
   Real reach = 0;
   for (const Step& step : guide.steps) {
     reach = std::max(
         reach, std::hypot(step.mean.x, step.mean.y) + 3 * std::sqrt(std::max(step.xx, step.yy)));
   }
-  return std::max(std::min(reach, 2.5 * gap), 0.5 * gap);
+  return reach;
+}
+
+Real estimated_range(std::span<const Spots> frames, const std::vector<bool>& breaks,
+                     cv::Size size) {
+  constexpr Real most = 2.5;
+  constexpr Real least = 0.5;
+  constexpr Real room = 1.5;  // narrow jets do not fill a cell of the guide
+  const Real gap = spacing(frames, size);
+  const Real reach = reach_of(mean_flow(frames, breaks, size, most * gap));
+  return std::clamp(room * reach, least * gap, most * gap);
 }
 
 LinkedVideo link_video(const std::string& folder, const DetectedVideo& detected, cv::Size size,
@@ -88,9 +94,14 @@ LinkedVideo link_video(const std::string& folder, const DetectedVideo& detected,
   link.memory = settings.memory;
   link.flow = {static_cast<Real>(settings.flow[0]), -static_cast<Real>(settings.flow[1])};
   link.least_slope = settings.least_slope;
+  std::optional<Guide> known;
+  if (!settings.velocity_field.empty()) {
+    known = guide_of_run(settings.velocity_field, size, settings.pixel_size, frame_rate);
+  }
   link.range = settings.max_speed > 0 ? settings.max_speed / settings.pixel_size / frame_rate
+               : known                ? reach_of(*known)
                                       : estimated_range(parts.frames, parts.breaks, size);
-  const Learnt learnt = learn(parts, link, settings, size, frame_rate);
+  const Learnt learnt = learn(parts, link, known, size);
 
   LinkedVideo out;
   out.spots = detected.spots;

@@ -29,9 +29,11 @@ struct LinkedVideo {
 [[nodiscard]] LinkedVideo link_video(const std::string& folder, const DetectedVideo& detected,
                                      cv::Size size, const TrackSettings& settings, Real frame_rate);
 
-/// The range within which nearly all particles stay from frame to frame, when nobody says it [pixels]:
-/// one and a half spacings, or what the mean flow reaches and its spread, whichever is less, but at least
-/// half a spacing.
+/// The largest step of a guide with three deviations [pixels].
+[[nodiscard]] Real reach_of(const Guide& guide);
+
+/// The range when nobody says it [pixels]: one and a half times the reach of the mean flow, between half
+/// a spacing and two and a half.
 [[nodiscard]] Real estimated_range(std::span<const Spots> frames, const std::vector<bool>& breaks,
                                    cv::Size size);
 

@@ -57,7 +57,7 @@ TrackResults::TrackResults(cv::Size pixels, const Scale& scale)
 
 void TrackResults::add(int frame, std::span<const TrackRow> rows) {
   Moment moment = moment_of(rows, static_cast<std::uint64_t>(frame));
-  moment.time = (scale_.first_frame + frame) * scale_.frame_time;
+  moment.time = time_of(scale_, frame);
   moments_.push_back(moment);
   streamlines_.add(rows);
   speed_map_.add(rows);
@@ -162,7 +162,7 @@ void TrackResults::write_squares(const std::string& folder, const io::Provenance
                           .x_name = "lag",
                           .x_unit = "s",
                           .y_name = "mean square",
-.y_unit = "m^2",
+                          .y_unit = "m^2",
                           .logarithmic = true}),
       provenance);
   summary.set("diffusion_coefficient_m2_s", fit.coefficient);

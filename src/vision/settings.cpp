@@ -138,8 +138,8 @@ std::vector<TrackKey> link_keys() {
       {"link.velocity_field", "folder of a run", "the mean flow found from the positions",
        "its fields.h5 predicts the steps",
        [](TrackSettings& s, const Node& node) { s.velocity_field = path_in(node); }},
-      quantity("link.stuck_time", &TrackSettings::stuck_time, kind::time, "40 frames, or half of a shorter video",
-               "at rest for so long: stuck"),
+      quantity("link.stuck_time", &TrackSettings::stuck_time, kind::time,
+               "40 frames, or half of a shorter video", "at rest for so long: stuck"),
   };
 }
 

@@ -48,9 +48,14 @@ void RestFinder::add(int frame, const Spots& spots, const std::vector<Index>& id
     Anchored& a = live_[ids[i]];
     const Spot& s = spots[i];
     if (a.count > 0 && std::hypot(s.x - a.x / a.count, s.y - a.y / a.count) > settings_.tolerance) {
+      constexpr int leaves = 3;
+      if (++a.astray < leaves) {
+        continue;
+      }
       close(ids[i], a);
       a = {};
     }
+    a.astray = 0;
     if (a.count == 0) {
       a.first = frame;
     }

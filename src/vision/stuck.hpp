@@ -18,14 +18,14 @@ struct Rest {
 };
 
 struct StuckSettings {
-  int frames = 40;     ///< at rest for so long: stuck
+  int frames = 40;        ///< at rest for so long: stuck
   Real tolerance = 0.75;  ///< [pixels] from the mean place
-  Real noise = 0.3;    ///< [pixels] of a centre along one axis
+  Real noise = 0.3;       ///< [pixels] of a centre along one axis
 };
 
 /// Finds particles that do not move, frame by frame; keeps only live tracks and the rests found.
 ///
-/// A track rests as long as it stays within the tolerance of its mean place since the rest began and
+/// A track rests until three sightings in a row lie beyond the tolerance of its mean place, and only if
 /// the means of the first and the second half of that time differ by less than four deviations of such
 /// means (and a quarter of a pixel): what creeps does not rest.
 /// Test: vision/stuck.
@@ -41,7 +41,8 @@ class RestFinder {
     int first = 0;
     int last = 0;
     int count = 0;
-    Real x = 0;  ///< sums
+    int astray = 0;  ///< sightings in a row beyond the tolerance
+    Real x = 0;      ///< sums
     Real y = 0;
     std::vector<cv::Point2f> places;  ///< every `stride`-th, for the halves
     int stride = 1;

@@ -22,6 +22,8 @@ namespace {
 class Source {
  public:
   explicit Source(const SynthesisRequest& r) {
+    TracerSpec tracers = r.tracers;
+    tracers.clearance = 0.5 * r.diameter;
     const bool folder = std::filesystem::is_directory(r.source);
     const std::string table = folder ? r.source + "/tracks.csv" : r.source;
     if (folder && std::filesystem::exists(r.source + "/fields.xdmf")) {
@@ -30,7 +32,7 @@ class Source {
     if (std::filesystem::exists(table)) {
       reader_.emplace(table);
     } else if (field) {
-      made_ = make_tracers(*field, r.tracers);
+      made_ = make_tracers(*field, tracers);
     } else {
       throw InputError(r.source + ": holds neither tracks.csv nor fields.xdmf");
     }

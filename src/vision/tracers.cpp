@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/error.hpp"
 #include "core/random.hpp"
@@ -46,7 +47,7 @@ class Nursery {
       x.x += size.x * draws_.uniform();
       x.y += size.y * draws_.uniform();
       x.z += size.z * (spec_.middle ? 0.5 : draws_.uniform());
-      if (!is_solid(field_, x)) {
+      if (is_clear(x)) {
         return x;
       }
     }
@@ -57,7 +58,7 @@ class Nursery {
   Vec3 entering() {
     for (int k = 0; k < most_tries; ++k) {
       const Vec3 x = on_inlet();
-      if (draws_.uniform() * inlet_.fastest < speed_in(x)) {
+      if (draws_.uniform() * inlet_.fastest < speed_in(x) && is_clear(x)) {
         return follow_flow(field_, x, draws_.uniform() * spec_.frame_time);
       }
     }
@@ -65,6 +66,18 @@ class Nursery {
   }
 
  private:
+  /// No grain within the clearance, in eight directions on the plane.
+  [[nodiscard]] bool is_clear(const Vec3& x) const {
+    for (int k = 0; k < 8; ++k) {
+      const Real angle = k * std::numbers::pi / 4;
+      const Vec3 there = x + spec_.clearance * Vec3{std::cos(angle), std::sin(angle), 0};
+      if (solid_fraction(field_, there) > 0.5) {
+        return false;
+      }
+    }
+    return !is_solid(field_, x);
+  }
+
   Vec3 on_inlet() {
     const Vec3 low = field_.low();
     const Vec3 size = field_.high() - low;

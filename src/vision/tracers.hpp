@@ -13,6 +13,7 @@ struct TracerSpec {
   int frames = 100;
   Real frame_time = 1;  ///< [s]
   bool middle = true;   ///< all on the middle plane; otherwise anywhere in the depth
+  Real clearance = 0;   ///< [m] from grains at the start: the radius of the particles
   int stuck = 0;        ///< further ones that never move
   unsigned long long seed = 1;
 };

@@ -47,7 +47,7 @@ void require_scale(const TrackSettings& settings) {
 void write_events(const std::string& folder, const LinkedVideo& linked, const Scale& scale) {
   std::string text = "time_s,id,event,x_m,y_m\n";
   const auto line = [&](int frame, const Rest& rest, const char* what) {
-    text += fmt::format("{},{},{},{},{}\n", (scale.first_frame + frame) * scale.frame_time,
+    text += fmt::format("{},{},{},{},{}\n", time_of(scale, frame),
                         linked.kept.number[static_cast<std::size_t>(rest.id)], what,
                         (rest.x + 0.5) * scale.pixel_size,
                         (scale.height - 0.5 - rest.y) * scale.pixel_size);
