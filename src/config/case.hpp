@@ -17,8 +17,10 @@ struct Run {
   std::string reference;
   std::string output_dir = "out";  ///< relative to the working directory
   unsigned long long random_seed = 1;
-  Real end_time = 0;  ///< [s] simulated
-  Real max_wall = 0;  ///< [s] of wall time; 0: no limit
+  Real end_time = 0;                ///< [s] simulated
+  Real max_wall = 0;                ///< [s] of wall time; 0: no limit
+  Real max_pore_volumes = 0;        ///< injected, after which the run ends; 0: no limit
+  Real min_permeability_ratio = 0;  ///< k/k0 below which the run ends; 0: no limit
   friend bool operator==(const Run&, const Run&) = default;
 };
 
@@ -102,7 +104,18 @@ struct Flow {
   bool tensor = false;          ///< full permeability tensor (periodic only)
   Real tolerance = 1e-6;        ///< relative residual of the solve
   int max_cycles = 200;
+  Real max_pressure = 0;  ///< [Pa] drop at which a pump with a given rate gives up; 0: no limit
   friend bool operator==(const Flow&, const Flow&) = default;
+};
+
+enum class CouplingMethod { implicit, projection };
+
+/// [coupling]: particles in a flow.
+struct Coupling {
+  CouplingMethod method = CouplingMethod::implicit;
+  Real tolerance = 1e-4;  ///< relative residual of the solves after the first
+  Real travel = 0.5;      ///< [cells] that the fastest particle may move in a step
+  friend bool operator==(const Coupling&, const Coupling&) = default;
 };
 
 /// [analysis]: derived geometry numbers.
@@ -119,6 +132,7 @@ struct Case {
   Grid grid;
   Fluid fluid;
   Flow flow;
+  Coupling coupling;
   Analysis analysis;
   Triple gravity{};  ///< [m/s^2]
   Box box;
@@ -130,6 +144,11 @@ struct Case {
   std::vector<Output> output{{OutputKind::fields}, {OutputKind::pictures}};
   friend bool operator==(const Case&, const Case&) = default;
 };
+
+/// Particles in a flow.
+[[nodiscard]] inline bool is_coupled(const Case& subject) {
+  return subject.flow.regime != Regime::none && !subject.particles.empty();
+}
 
 /// Particles without a fluid.
 [[nodiscard]] inline bool is_dry(const Case& subject) {

@@ -23,6 +23,9 @@ void check_particle_files(const Case& subject, const Node& given);
 /// Particles without a flow: what is needed and what has no meaning.
 void check_dry(const Case& subject, const Node& given);
 
+/// Particles in a flow: what is needed and what has no meaning.
+void check_coupled(const Case& subject, const Node& given);
+
 /// A steady flow: what only particles would need.
 void check_steady(const Case& subject, const Node& given);
 

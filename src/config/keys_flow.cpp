@@ -159,6 +159,19 @@ std::vector<Key> flow_keys() {
   keys.push_back(alias);
   keys.push_back(integer_key("flow.max_cycles", &Case::flow, &Flow::max_cycles, Range{1, 100000},
                              "the run stops when the solve needs more"));
+  keys.push_back(quantity_key("flow.max_pressure", &Case::flow, &Flow::max_pressure, kind::pressure,
+                              above_zero, "no limit",
+                              "drop at which a run with a given flow rate ends: the pump's limit"));
+  keys.push_back(
+      choice_key("coupling.method", &Case::coupling, &Coupling::method, {"implicit", "projection"},
+                 "`implicit`: fluid and rigid particles in one solve; `projection`: solve, "
+                 "project the particles rigid, correct: only to show its error"));
+  keys.push_back(quantity_key("coupling.tolerance", &Case::coupling, &Coupling::tolerance,
+                              kind::number, Range{1e-9, 1e-2}, "",
+                              "relative residual of the solves after the first"));
+  keys.push_back(quantity_key("coupling.travel", &Case::coupling, &Coupling::travel, kind::number,
+                              Range{1e-3, 1}, "",
+                              "cells that the fastest particle may move in a step"));
   return keys;
 }
 

@@ -82,6 +82,10 @@ std::vector<Key> run_keys() {
           "written at the end, at SIGINT and at SIGTERM"),
       integer_key("checkpoint.keep", &Case::checkpoint, &Checkpoint::keep, Range{1, 9},
                   "how many of them stay: checkpoint_1.h5 is the one before checkpoint.h5"),
+      quantity_key("run.max_pore_volumes", &Case::run, &Run::max_pore_volumes, kind::number,
+                   above_zero, "no limit", "pore volumes of fluid after which the run ends"),
+      quantity_key("run.min_permeability_ratio", &Case::run, &Run::min_permeability_ratio,
+                   kind::number, above_zero, "no limit", "k/k0 at which the run ends"),
   };
 }
 

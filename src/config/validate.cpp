@@ -106,7 +106,11 @@ void validate(const Case& subject, const Node& given) {
   check_cells(subject.grid, subject.geometry, given);
   check_faces(subject.flow, given);
   check_drive(subject.flow, given);
-  check_steady(subject, given);
+  if (is_coupled(subject)) {
+    check_coupled(subject, given);
+  } else {
+    check_steady(subject, given);
+  }
 }
 
 }  // namespace porefines::config

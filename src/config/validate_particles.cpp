@@ -226,16 +226,41 @@ void check_dry(const Case& subject, const Node& given) {
   }
 }
 
+void check_coupled(const Case& subject, const Node& given) {
+  if (!(subject.run.end_time > 0)) {
+    fail(place_of(given, "run.end_time"), "is missing", "end_time = \"0.1 s\"");
+  }
+  if (!(subject.box == Box{})) {
+    fail(place_of(given, "box"), "has no meaning beside a flow, which says what the faces are");
+  }
+  if (subject.flow.tensor) {
+    fail(place_of(given, "flow.tensor"), "is for a flow without particles");
+  }
+  for (std::size_t i = 0; i < subject.injection.size(); ++i) {
+    const BoxFace face = subject.injection[i].face;
+    const Node& item = item_node(given, "injection", i);
+    const auto opens = [&](const std::optional<Opening>& q) { return q && q->face == face; };
+    if (!opens(subject.flow.inlet) && !opens(subject.flow.outlet)) {
+      fail(place_in(item, "face"), "is no opening of the flow",
+           "particles enter with the fluid, through [flow] inlet");
+    }
+    for (const std::string name : {"velocity", "flow_rate"}) {
+      if (has(item, name)) {
+        fail(place_in(item, name), "has no meaning: particles enter as fast as the flow");
+      }
+    }
+  }
+}
+
 void check_steady(const Case& subject, const Node& given) {
   const Box untouched;
-  const bool moving = !subject.particles.empty() || !subject.injection.empty();
-  if (moving) {
-    fail(place_of(given, subject.particles.empty() ? "injection" : "particles"),
-         "particles in a flow are not available in this version", "without [flow] they move dry");
+  if (!subject.injection.empty()) {
+    fail(place_of(given, "injection"), "has nothing to inject", "add a table [[particles]]");
   }
-  for (const std::string path : {"run.end_time", "run.max_wall"}) {
+  for (const std::string path : {"run.end_time", "run.max_wall", "run.max_pore_volumes",
+                                 "run.min_permeability_ratio", "flow.max_pressure", "coupling"}) {
     if (const Node* node = find(given, path)) {
-      fail(node->place, "has no meaning: this version finds the steady flow in one go");
+      fail(node->place, "has no meaning: without particles the steady flow is found in one go");
     }
   }
   if (!(subject.box == untouched)) {

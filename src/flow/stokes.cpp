@@ -244,6 +244,34 @@ std::vector<Real> StokesSolver::plane_fluxes(int axis) const {
   return flux;
 }
 
+std::vector<Real> StokesSolver::plane_velocities(int axis, int plane) const {
+  const Level& level = hierarchy_.finest();
+  const int a = axis == 0 ? 1 : 0;
+  const int b = axis == 2 ? 1 : 2;
+  const int columns = block().global[a];
+  std::vector<Real> out(static_cast<std::size_t>(columns) * block().global[b], 0);
+  const Real unit = scale_ * spacing_.x * spacing_.x / viscosity_;
+  const auto add = [&](const Int3& index, Real velocity) {
+    if (global(block(), axis, index[axis]) == plane) {
+      const std::ptrdiff_t at = block().at(index[0], index[1], index[2]);
+      out[static_cast<std::size_t>(global(block(), b, index[b])) * columns +
+          global(block(), a, index[a])] += level.weight[axis][at] * velocity * unit;
+    }
+  };
+  operator_->for_each_of(axis, [&](int i, int j, int k, std::size_t at) {
+    add({i, j, k}, x_[at]);
+  });
+  if (spheres_) {
+    spheres_->for_covered([&](const RigidFace& q, Real velocity) {
+      if (q.face.component == axis) {
+        add(spheres_->cover().index_of(q.face.at), velocity);
+      }
+    });
+  }
+  comm_.sum(out);
+  return out;
+}
+
 std::vector<Real> StokesSolver::layer_pressures(int axis) const {
   const auto layers = static_cast<std::size_t>(block().global[axis]);
   std::vector<Real> sums(2 * layers, 0);

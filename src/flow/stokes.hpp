@@ -79,6 +79,8 @@ class StokesSolver {
 
   /// [m^3/s] volume flux through every plane normal to an axis: faces 0 .. n. On every rank.
   [[nodiscard]] std::vector<Real> plane_fluxes(int axis) const;
+  /// [m/s] W u over the faces of one plane normal to an axis, x before y before z. On every rank.
+  [[nodiscard]] std::vector<Real> plane_velocities(int axis, int plane) const;
   /// [Pa] mean pressure over the fluid of every layer of cells normal to an axis. On every rank.
   [[nodiscard]] std::vector<Real> layer_pressures(int axis) const;
   /// [m/s] mean velocity over the whole box, grains included (superficial).

@@ -43,6 +43,7 @@ struct DryRun {
   dem::System system;
   std::vector<dem::Inlet> inlets;
   DryState state;
+  bool in_fluid = false;  ///< the flow solve takes up weight and outer forces, not the integrator
 };
 
 /// Sets up box and walls; no particles yet. Collective.
@@ -82,6 +83,9 @@ void set_forces(DryRun& run);
 
 /// What became due in (from, to].
 void inject_due(DryRun& run, Real from, Real to);
+
+/// [s] of the next sample of any output after now, or the end.
+[[nodiscard]] Real next_sample(const DryRun& run);
 
 /// The next stretch of equal steps, up to the next sample or to when particles may have come a
 /// radius further.

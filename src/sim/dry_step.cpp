@@ -35,7 +35,8 @@ dem::Pace pace_of(const DryRun& run) {
   return pace;
 }
 
-/// [s] of the next sample of any output after now, or the end.
+}  // namespace
+
 Real next_sample(const DryRun& run) {
   using enum config::OutputKind;
   Real next = run.the_case.run.end_time;
@@ -49,8 +50,6 @@ Real next_sample(const DryRun& run) {
   }
   return next;
 }
-
-}  // namespace
 
 Stretch choose_stretch(const DryRun& run) {
   const dem::Pace pace = pace_of(run);

@@ -30,7 +30,7 @@ void set_forces(DryRun& run) {
   dem::Particles& p = run.system.particles();
   for (std::size_t i = 0; i < p.owned; ++i) {
     const config::Triple& f = run.the_case.particles[p.species[i]].force;
-    p.external_force[i] = {f[0], f[1], f[2]};
+    p.external_force[i] = run.in_fluid ? Vec3{} : Vec3{f[0], f[1], f[2]};
   }
 }
 

@@ -146,14 +146,18 @@ Real expected_speed(const config::Case& the_case, const Vec3& box) {
 }
 
 dem::Settings make_settings(const config::Case& the_case, const geom::Sample& sample) {
-  const config::Box& faces = the_case.box;
+  return make_settings(the_case, sample, {{}, sample.box.size, the_case.box.periodic});
+}
+
+dem::Settings make_settings(const config::Case& the_case, const geom::Sample& sample,
+                            const dem::Box& box) {
   dem::Settings settings;
-  settings.box = {{}, sample.box.size, faces.periodic};
+  settings.box = box;
   settings.materials = make_materials(the_case);
-  settings.model = make_contact_model(the_case, expected_speed(the_case, sample.box.size));
+  settings.model = make_contact_model(the_case, expected_speed(the_case, box.high - box.low));
   settings.gravity = vec(the_case.gravity);
-  settings.account = true;
-  const Walls walls = make_walls(the_case, sample);
+  settings.account = !config::is_coupled(the_case);  // energy is lost to the fluid there
+  const Walls walls = make_walls(the_case, sample, box.low, box.high);
   settings.walls = walls.surfaces;
   for (const bool smooth : walls.smooth) {
     settings.wall_species.push_back(

@@ -28,6 +28,9 @@ namespace porefines::sim {
 /// Everything but the particles: box, walls and grains, materials, law, gravity.
 /// @throws InputError  walls that cannot be read
 [[nodiscard]] dem::Settings make_settings(const config::Case& the_case, const geom::Sample& sample);
+/// The same in a box that is larger than the sample.
+[[nodiscard]] dem::Settings make_settings(const config::Case& the_case, const geom::Sample& sample,
+                                          const dem::Box& box);
 
 /// The injections of the case.
 /// @throws InputError  a window outside the face, or one that lets no particle through

@@ -71,7 +71,8 @@ struct AddGrains {
   }
 };
 
-void add_grains(const config::Case& the_case, const geom::Sample& sample, dem::Surfaces& out) {
+void add_grains(const config::Case& the_case, const geom::Sample& sample, const Vec3& low,
+                const Vec3& high, dem::Surfaces& out) {
   constexpr Real voxels_beyond = 6;  // what make_field wants, and a little
   if (sample.spec.kind == geom::Kind::empty) {
     return;
@@ -79,14 +80,15 @@ void add_grains(const config::Case& the_case, const geom::Sample& sample, dem::S
   const Real largest = largest_radius(the_case);
   const Real margin = 2 * largest + voxels_beyond * sample.pixel;
   const Vec3 beyond{margin, margin, margin};
-  const geom::Solid solid = geom::make_solid(sample, Vec3{} - beyond, sample.box.size + beyond,
+  const geom::Solid solid = geom::make_solid(sample, low - beyond, high + beyond,
                                              2 * largest + voxels_beyond * sample.pixel);
   std::visit(AddGrains{out, largest}, solid);
 }
 
 }  // namespace
 
-Walls make_walls(const config::Case& the_case, const geom::Sample& sample) {
+Walls make_walls(const config::Case& the_case, const geom::Sample& sample, const Vec3& low,
+                 const Vec3& high) {
   const config::Box& faces = the_case.box;
   std::array<bool, 6> rough{};
   for (std::size_t face = 0; face < 6; ++face) {
@@ -99,11 +101,11 @@ Walls make_walls(const config::Case& the_case, const geom::Sample& sample) {
       walls.smooth.push_back(smooth);
     }
   };
-  add(dem::box_faces({}, sample.box.size, rough), false);
-  add(dem::box_faces({}, sample.box.size, faces.smooth), true);
+  add(dem::box_faces(low, high, rough), false);
+  add(dem::box_faces(low, high, faces.smooth), true);
   add(primitives_of(the_case), false);
   add_meshes(the_case, walls.surfaces);
-  add_grains(the_case, sample, walls.surfaces);
+  add_grains(the_case, sample, low, high, walls.surfaces);
   walls.smooth.resize(walls.surfaces.size(), false);
   return walls;
 }

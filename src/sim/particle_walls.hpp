@@ -18,8 +18,10 @@ struct Walls {
 /// Faces of the box, [[surface]] and the grains of the geometry, whole on every rank.
 ///
 /// Grains of an image are the smooth surface of its signed distance; the flow sees the same.
+/// @param low, high  [m] corners of the particles' box: the sample's, or more where fluid is beyond
 /// @throws InputError  an STL file that cannot be read
-[[nodiscard]] Walls make_walls(const config::Case& the_case, const geom::Sample& sample);
+[[nodiscard]] Walls make_walls(const config::Case& the_case, const geom::Sample& sample,
+                               const Vec3& low, const Vec3& high);
 
 /// [m] radius of the largest particle that the case may hold.
 [[nodiscard]] Real largest_radius(const config::Case& the_case);

@@ -12,30 +12,17 @@
 #include "core/log.hpp"
 #include "core/memory.hpp"
 #include "core/signals.hpp"
-#include "sim/domain.hpp"
+#include "sim/coupled_run.hpp"
+#include "sim/coupled_state.hpp"
 #include "sim/dry_run.hpp"
-#include "sim/grains.hpp"
 #include "sim/pictures.hpp"
-#include "sim/plan.hpp"
-#include "sim/probe.hpp"
+#include "sim/prepare.hpp"
 #include "sim/results.hpp"
 #include "sim/session.hpp"
 #include "sim/steady_flow.hpp"
 
 namespace porefines::sim {
 namespace {
-
-void to_case_units(flow::StokesSolver::CellFields& fields, const SteadyFlow& flow) {
-  for (auto& component : fields.velocity) {
-    for (float& value : component) {
-      value *= static_cast<float>(flow.scale);
-    }
-  }
-  for (std::size_t at = 0; at < fields.pressure.size(); ++at) {
-    const Real p = fields.pressure[at] * flow.scale + flow.offset;
-    fields.pressure[at] = fields.fluid[at] != 0 ? static_cast<float>(p) : 0;
-  }
-}
 
 void say_result(Log& log, const SteadyFlow& flow, Real re, const Porosity& porosity,
                 const std::string& folder) {
@@ -50,58 +37,6 @@ void say_result(Log& log, const SteadyFlow& flow, Real re, const Porosity& poros
              re);
   }
   log.info("results    {}", folder);
-}
-
-/// What is known before anything is solved.
-struct Prepared {
-  geom::Sample sample;
-  Domain domain;
-  Plan plan;
-  par::Decomposition cut;
-  std::vector<std::string> story;
-};
-
-Prepared prepare(const config::Case& the_case, const par::Communicator& comm) {
-  stop_if_asked(comm);
-  geom::Sample sample = geom::build_sample(geometry_spec(the_case), comm.handle());
-  stop_if_asked(comm);
-  const Domain domain = make_domain(the_case, sample);
-  const Probe probe = probe_grid(sample, domain);
-  Plan plan = make_plan(the_case, sample, domain, probe, comm.size());
-  require_memory(the_case, plan, domain, comm);
-  plan.seconds = estimate_seconds(the_case, plan, comm);
-  stop_if_asked(comm);
-  std::vector<std::string> story = describe(the_case, sample, domain, probe, plan);
-  return {std::move(sample), domain, plan,
-          par::decompose(domain.cells, comm.size(), probe.work, the_case.grid.decomposition),
-          std::move(story)};
-}
-
-void show_plan(const config::Case& the_case, const RunOptions& options, const Prepared& prepared,
-               const io::Provenance& provenance, const par::Communicator& comm) {
-  on_root(comm, [&] {
-    make_folder(options.output_dir);
-    draw_sample(options.output_dir, the_case, prepared.sample, prepared.domain, provenance);
-    Log log("", &std::cout);
-    for (const std::string& line : prepared.story) {
-      log.info("{}", line);
-    }
-    log.info("picture    {}/geometry.png", options.output_dir);
-  });
-}
-
-/// Links fluid and grains; returns the share of solid in every cell.
-std::vector<float> set_up(flow::StokesSolver& solver, const config::Case& the_case,
-                          const Prepared& prepared, const par::Communicator& comm) {
-  const geom::Solid grains =
-      local_solid(the_case, prepared.sample, prepared.domain, prepared.cut, comm.rank());
-  stop_if_asked(comm);
-  link_grains(solver, the_case, prepared.sample, grains, prepared.domain);
-  stop_if_asked(comm);
-  std::vector<float> solid =
-      solid_fraction(the_case, prepared.sample, grains, prepared.domain, solver.block());
-  stop_if_asked(comm);
-  return solid;
 }
 
 SteadyFlow solve(const config::Case& the_case, const Domain& domain, flow::StokesSolver& solver,
@@ -124,7 +59,7 @@ void write_flow(const config::Case& the_case, const std::string& folder, const P
                 const std::vector<float>& solid, const io::Provenance& provenance,
                 const par::Communicator& comm) {
   flow::StokesSolver::CellFields fields = solver.cell_fields();
-  to_case_units(fields, solution);
+  to_case_units(fields, solution.scale, solution.offset);
   if (config::find_output(the_case, config::OutputKind::fields)) {
     write_fields(folder, prepared.domain, fields, solid, solver.block(), provenance, comm);
   }
@@ -184,6 +119,9 @@ int run(const config::Case& the_case, const RunOptions& options) {
   }
   std::optional<Log> log;
   try {
+    if (config::is_coupled(the_case)) {
+      return run_coupled_case(with_box_of_flow(the_case), options, comm, log);
+    }
     simulate(the_case, options, comm, log);
     return exit_code::done;
   } catch (const Interrupted& stop) {

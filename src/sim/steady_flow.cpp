@@ -94,12 +94,7 @@ Real along_axis(const config::Opening& opening, bool inlet) {
   return is_high(opening.face) == inlet ? -opening.value : opening.value;
 }
 
-struct OpeningDrive {
-  flow::Drive drive;
-  Real wanted_rate = 0;  ///< [m^3/s] along +axis; 0: the drive is what is asked for
-  Real base = 0;         ///< [Pa] the known pressure, at the inlet or at the outlet
-  bool base_at_inlet = false;
-};
+}  // namespace
 
 OpeningDrive opening_drive(const config::Flow& flow) {
   const config::Opening& inlet = *flow.inlet;
@@ -119,6 +114,8 @@ OpeningDrive opening_drive(const config::Flow& flow) {
   }
   return out;
 }
+
+namespace {
 
 /// Pressures at the two faces of the box, as solved; extrapolated where a velocity is given.
 std::array<Real, 2> face_pressures(const Domain& domain, const flow::Drive& drive,
@@ -213,6 +210,14 @@ void solve_periodic(const config::Case& the_case, const Domain& domain, flow::St
 }
 
 }  // namespace
+
+Real sample_pressure_drop(const Domain& domain, const flow::Drive& drive,
+                          const flow::StokesSolver& solver) {
+  const std::vector<Real> layers = solver.layer_pressures(domain.axis);
+  const std::array<Real, 2> faces = face_pressures(domain, drive, layers);
+  const analysis::Window window{domain.reservoir, domain.cells[domain.axis] - domain.reservoir};
+  return analysis::window_pressure_drop(layers, window, faces[0], faces[1]);
+}
 
 SteadyFlow solve_steady_flow(const config::Case& the_case, const Domain& domain,
                              flow::StokesSolver& solver, const par::Communicator& comm) {

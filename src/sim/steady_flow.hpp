@@ -31,6 +31,19 @@ struct SteadyFlow {
   std::optional<std::array<Vec3, 3>> tensor;  ///< [m^2] tensor[j][i] = k_ij: velocity i, drive j
 };
 
+/// What drives the flow between two openings, as the solver is told.
+struct OpeningDrive {
+  flow::Drive drive;
+  Real wanted_rate = 0;  ///< [m^3/s] along +axis; 0: the drive is what is asked for
+  Real base = 0;         ///< [Pa] the known pressure, at the inlet or at the outlet
+  bool base_at_inlet = false;
+};
+[[nodiscard]] OpeningDrive opening_drive(const config::Flow& flow);
+
+/// [Pa] over the sample, low side minus high side, as the solver holds it. Collective.
+[[nodiscard]] Real sample_pressure_drop(const Domain& domain, const flow::Drive& drive,
+                                        const flow::StokesSolver& solver);
+
 /// Solves the case and measures it. Collective; the results are the same on every rank.
 ///
 /// Periodic:  k = mu U / G with the mean gradient G.

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/json.hpp"
+#include "io/fields.hpp"
+#include "io/series.hpp"
+#include "sim/coupled_state.hpp"
+
+namespace porefines::sim {
+
+/// Where a coupled run writes on the way; tables are open on rank 0 alone.
+struct CoupledSink {
+  std::string folder;
+  io::Provenance provenance;
+  std::optional<io::SeriesWriter> series;
+  std::optional<io::SeriesWriter> tracks;
+  std::optional<io::FieldWriter> fields;
+  Index fields_written = 0;
+};
+
+/// Starts the tables. Collective.
+[[nodiscard]] CoupledSink open_coupled_sink(const std::string& folder, const CoupledRun& run,
+                                            const io::Provenance& provenance);
+
+/// Writes what is due: a row of series.csv, tracks, fields. Collective.
+/// @param left   rows of those that left, for tracks.csv
+/// @param solid  share of each cell that is grain
+void write_coupled(CoupledRun& run, CoupledSink& sink, const std::string& left,
+                   std::span<const float> solid);
+
+/// Columns of series.csv.
+[[nodiscard]] std::vector<std::string> coupled_columns();
+
+/// What the particles add to summary.json. Collective.
+void add_coupled(Json& json, const CoupledRun& run);
+
+}  // namespace porefines::sim

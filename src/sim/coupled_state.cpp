@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MPL-2.0
+#include "sim/coupled_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "dem/packing.hpp"
+#include "dem/step_size.hpp"
+#include "sim/beds.hpp"
+#include "sim/particle_setup.hpp"
+#include "sim/particle_walls.hpp"
+
+namespace porefines::sim {
+namespace {
+
+/// Openings and their pressures: a rate is reached by scaling the drop of the clean flow.
+void set_drive(CoupledRun& run, const SteadyFlow& clean) {
+  const config::Flow& flow = run.the_case.flow;
+  if (!flow.inlet) {
+    run.drive.force = {flow.pressure_gradient[0], flow.pressure_gradient[1],
+                       flow.pressure_gradient[2]};
+    return;
+  }
+  const OpeningDrive wanted = opening_drive(flow);
+  run.drive = wanted.drive;
+  run.offset = clean.offset;
+  run.wanted_rate = wanted.wanted_rate;
+  run.state.drive_factor = clean.scale;
+}
+
+/// Young's moduli are lowered until the pressure drop on one particle, the most that the fluid can
+/// press a lone one onto a throat with, overlaps it by half of what the case allows. Nothing but
+/// overlaps depends on stiffness where particles creep; substeps grow with it.
+void soften(CoupledRun& run) {
+  const Real radius = largest_radius(run.the_case);
+  const Vec3 size = run.domain.size();
+  const Vec3& force = run.drive.force;
+  const Real drop =
+      std::max(run.state.drive_factor * (run.drive.face_value[2 * run.domain.axis] -
+                                         run.drive.face_value[2 * run.domain.axis + 1]),
+               0.0) +
+      std::abs(force.x) * size.x + std::abs(force.y) * size.y + std::abs(force.z) * size.z;
+  const Real viscous = run.the_case.fluid.viscosity * std::abs(run.state.clean_rate) *
+                       run.domain.size()[run.domain.axis] /
+                       (run.state.clean_permeability * run.domain.area());
+  const Real push = std::max(std::abs(drop), viscous) * std::numbers::pi * radius * radius;
+  Real factor = 1;
+  const dem::MaterialTable& table = run.particles.system.settings().materials;
+  for (std::size_t a = 0; a < run.the_case.particles.size(); ++a) {
+    factor = std::min(factor,
+                      dem::softening_for_force(table.pair(static_cast<int>(a), static_cast<int>(a)),
+                                               radius, push, run.the_case.contact.max_overlap / 4));
+  }
+  run.particles.system.soften(factor);
+}
+
+}  // namespace
+
+config::Case with_box_of_flow(config::Case the_case) {
+  const config::Flow& flow = the_case.flow;
+  the_case.box.periodic = flow.periodic;
+  the_case.box.smooth = flow.slip;
+  for (const auto& opening : {flow.inlet, flow.outlet}) {
+    if (opening) {
+      the_case.box.open[static_cast<std::size_t>(opening->face)] = true;
+    }
+  }
+  return the_case;
+}
+
+CoupledRun make_coupled_run(const config::Case& the_case, const geom::Sample& sample,
+                            const Domain& domain, const par::Decomposition& cut,
+                            flow::StokesSolver& solver, const SteadyFlow& clean, Real porosity,
+                            const par::Communicator& comm) {
+  const Vec3 low = domain.origin();
+  dem::Settings settings =
+      make_settings(the_case, sample, {low, low + domain.size(), the_case.box.periodic});
+  settings.blocks = dem::make_blocks(cut, settings.box);
+  CoupledRun run{
+      the_case,
+      domain,
+      solver,
+      DryRun{the_case, comm, dem::System(comm, settings), make_inlets(the_case, settings.box), {}},
+      {},
+      0,
+      0,
+      porosity * domain.area() * domain.length(),
+      {},
+      {}};
+  run.state.clean_permeability = clean.permeability;
+  run.state.clean_rate = clean.flow_rate;
+  set_drive(run, clean);
+  soften(run);
+  return run;
+}
+
+}  // namespace porefines::sim

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "config/case.hpp"
+#include "flow/stokes.hpp"
+#include "sim/domain.hpp"
+#include "sim/dry_state.hpp"
+#include "sim/steady_flow.hpp"
+
+namespace porefines::sim {
+
+/// What the last solve says about the flow.
+struct FlowNow {
+  Real flow_rate = 0;      ///< [m^3/s] along +axis
+  Real pressure_drop = 0;  ///< [Pa] over the sample
+  Real permeability = 0;   ///< [m^2]
+  int cycles = 0;          ///< of all solves of the step
+  Real residual = 0;
+};
+
+/// What a coupled run remembers besides particles and fields: the same on every rank.
+struct CoupledState {
+  Real clean_permeability = 0;  ///< [m^2] k0, before any particle
+  Real clean_rate = 0;          ///< [m^3/s]
+  Real drive_factor = 1;        ///< on the drive of the case: a pump turns it up
+  Real fluid_passed = 0;        ///< [m^3] through the sample so far
+  Real volume_in = 0;           ///< [m^3] of particles injected
+  Real volume_out = 0;          ///< [m^3] of particles gone
+  Index solves = 0;
+  Index cycles = 0;
+  Index substeps = 0;
+  Index orphans_lost = 0;
+  bool stopped = false;  ///< by one of the limits of the case
+  std::string reason;
+  // At the last row of series.csv:
+  Real sampled_fluid = 0;
+  Real sampled_in = 0;
+  Real sampled_out = 0;
+};
+
+/// Fluid and particles in progress. Particles live in the whole grid's box, reservoirs included, in
+/// coordinates whose zero is the corner of the sample.
+struct CoupledRun {
+  const config::Case& the_case;  ///< with [box] as the flow makes it
+  const Domain& domain;
+  flow::StokesSolver& solver;
+  DryRun particles;
+  flow::Drive drive;     ///< at drive_factor 1
+  Real wanted_rate = 0;  ///< [m^3/s] of a pump; 0: pressures are given
+  Real offset = 0;       ///< [Pa] on the pressures that the solver holds
+  Real pore_volume = 0;  ///< [m^3] of the sample
+  FlowNow now;
+  CoupledState state;
+
+  [[nodiscard]] const par::Communicator& comm() const { return particles.comm; }
+  [[nodiscard]] Real time() const { return particles.state.time; }
+  [[nodiscard]] Real pore_volumes() const { return state.fluid_passed / pore_volume; }
+  [[nodiscard]] Real permeability_ratio() const {
+    return now.permeability / state.clean_permeability;
+  }
+};
+
+/// The case with the faces of [box] as the flow has them: openings let particles out, slip faces are
+/// smooth walls, the others rough ones.
+[[nodiscard]] config::Case with_box_of_flow(config::Case the_case);
+
+/// Box, walls and inlets, no particles yet; `clean` is the flow without them. Collective.
+/// @throws InputError  anything wrong with them
+[[nodiscard]] CoupledRun make_coupled_run(const config::Case& the_case, const geom::Sample& sample,
+                                          const Domain& domain, const par::Decomposition& cut,
+                                          flow::StokesSolver& solver, const SteadyFlow& clean,
+                                          Real porosity, const par::Communicator& comm);
+
+// The sentences of the loop; all collective.
+
+/// Fluid and particles where they are now: motions U* of the particles, fluxes, permeability.
+/// A pump's drive is turned until its rate flows, to 0.1 %.
+/// @throws RunError  the solve broke down or did not converge
+void solve_flow(CoupledRun& run);
+
+/// [s] until the fastest particle, or what is about to enter, has moved coupling.travel cells, or
+/// the next sample is due.
+[[nodiscard]] Real choose_step(const CoupledRun& run);
+
+/// Moves the particles with the flow and against each other, overdamped (System::creep).
+void move_particles(CoupledRun& run, Real step);
+
+/// What left through openings, and what became due at the inlets.
+/// @return rows of those that left, for tracks.csv
+[[nodiscard]] std::string pass_openings(CoupledRun& run, Real step);
+
+/// Sets state.stopped where the case has a limit that is reached.
+void look_at_limits(CoupledRun& run);
+
+}  // namespace porefines::sim

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: MPL-2.0
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "analysis/flux.hpp"
+#include "analysis/permeability.hpp"
+#include "core/error.hpp"
+#include "core/signals.hpp"
+#include "sim/coupled_state.hpp"
+
+namespace porefines::sim {
+namespace {
+
+using std::numbers::pi;
+
+/// Share of the largest overlap by which two particles may come nearer in one substep.
+constexpr Real approach_share = 0.25;
+
+/// The spheres of this rank as the flow sees them: weight less buoyancy, the case's force, and the
+/// mean contact force of the last step, F* of algorithm.md section 5.
+std::vector<flow::Sphere> spheres_of(CoupledRun& run) {
+  dem::Particles& p = run.particles.system.particles();
+  const Vec3 g{run.the_case.gravity[0], run.the_case.gravity[1], run.the_case.gravity[2]};
+  const Vec3 corner = run.domain.origin();
+  std::vector<flow::Sphere> spheres;
+  for (std::size_t i = 0; i < p.owned; ++i) {
+    const Real volume = 4.0 / 3 * pi * std::pow(p.radius[i], 3);
+    const config::Triple& f = run.the_case.particles[p.species[i]].force;
+    dem::Creeping& c = p.creeping;
+    c.told_force[i] = c.mean_force[i];
+    c.told_torque[i] = c.mean_torque[i];
+    flow::Sphere q;
+    q.id = p.id[i];
+    q.position = p.position[i] - corner;
+    q.radius = p.radius[i];
+    q.held = p.is_fixed(i);
+    q.velocity = q.held ? Vec3{} : c.free_velocity[i];
+    q.spin = q.held ? Vec3{} : c.free_spin[i];
+    q.force = (p.mass[i] - run.the_case.fluid.density * volume) * g + Vec3{f[0], f[1], f[2]} +
+              c.mean_force[i];
+    q.torque = c.mean_torque[i];
+    spheres.push_back(q);
+  }
+  return spheres;
+}
+
+void take_motions(CoupledRun& run) {
+  dem::Particles& p = run.particles.system.particles();
+  const std::vector<flow::SphereMotion> motions = run.solver.sphere_motions();
+  const Real mu = run.the_case.fluid.viscosity;
+  for (std::size_t i = 0; i < p.owned; ++i) {
+    dem::Creeping& c = p.creeping;
+    const Real a = p.radius[i];
+    c.free_velocity[i] = motions[i].velocity;
+    c.free_spin[i] = motions[i].spin;
+    c.resistance[i] = 6 * pi * mu * a;
+    c.spin_resistance[i] = 8 * pi * mu * a * a * a;
+    if (c.drift_step[i] == 0) {  // newly come: it moves as the flow says until it has touched
+      p.velocity[i] = motions[i].velocity;
+      p.angular_velocity[i] = motions[i].spin;
+    }
+  }
+}
+
+flow::Drive scaled(const flow::Drive& drive, Real factor) {
+  flow::Drive out = drive;
+  out.force *= factor;
+  for (Real& value : out.face_value) {
+    value *= factor;
+  }
+  return out;
+}
+
+void measure(CoupledRun& run, const flow::Drive& drive) {
+  const Domain& domain = run.domain;
+  FlowNow& now = run.now;
+  now.flow_rate = analysis::mean(run.solver.plane_fluxes(domain.axis));
+  if (run.the_case.flow.inlet) {
+    now.pressure_drop = sample_pressure_drop(domain, drive, run.solver);
+  } else {
+    now.pressure_drop = drive.force[domain.axis] * domain.length();
+  }
+  now.permeability =
+      analysis::darcy_permeability({now.flow_rate, domain.area(), domain.length(),
+                                    now.pressure_drop, run.the_case.fluid.viscosity});
+}
+
+void solve_once(CoupledRun& run, const flow::Drive& drive) {
+  const bool first = run.state.solves == 0;
+  flow::SolveOptions options;
+  options.tolerance = first ? run.the_case.flow.tolerance : run.the_case.coupling.tolerance;
+  options.max_cycles = run.the_case.flow.max_cycles;
+  const flow::SolveReport report = run.solver.solve(drive, options);
+  run.now.cycles += report.cycles;
+  run.now.residual = report.residual;
+  run.state.cycles += report.cycles;
+  ++run.state.solves;
+  if (!report.converged) {
+    throw RunError(
+        fmt::format("the solve at {:.6g} s {}: residual {:.3g} after {} cycles, wanted {:.3g}\n"
+                    "try a smaller grid.cell_size, or a larger flow.max_cycles",
+                    run.time(), std::isfinite(report.residual) ? "did not converge" : "broke down",
+                    report.residual, report.cycles, options.tolerance));
+  }
+}
+
+}  // namespace
+
+void solve_flow(CoupledRun& run) {
+  constexpr Real pump_accuracy = 1e-3;
+  constexpr int most_turns = 3;
+  run.now.cycles = 0;
+  for (int turn = 0; turn < most_turns; ++turn) {
+    const flow::Drive drive = scaled(run.drive, run.state.drive_factor);
+    run.solver.set_spheres(spheres_of(run));
+    solve_once(run, drive);
+    take_motions(run);
+    measure(run, drive);
+    if (run.wanted_rate == 0 || std::abs(run.now.flow_rate / run.wanted_rate - 1) < pump_accuracy) {
+      break;
+    }
+    // A pump that finds no way out still turns up step by step, not at once.
+    const Real ratio = run.wanted_rate / run.now.flow_rate;
+    run.state.drive_factor *= ratio > 0 ? std::min(ratio, 2.0) : 2.0;
+  }
+}
+
+Real choose_step(const CoupledRun& run) {
+  const dem::Particles& p = run.particles.system.particles();
+  const Vec3& h = run.domain.spacing;
+  Real fastest = 0;
+  for (std::size_t i = 0; i < p.owned; ++i) {
+    if (!p.is_fixed(i)) {
+      fastest = std::max(fastest, norm(p.creeping.free_velocity[i]));
+    }
+  }
+  fastest = run.comm().max(fastest);
+  for (const dem::Inlet& inlet : run.particles.inlets) {
+    if (inlet.start < run.the_case.run.end_time && run.time() < inlet.stop) {
+      fastest = std::max(fastest, inlet.fastest_flow);
+    }
+  }
+  const Real left = next_sample(run.particles) - run.time();
+  const Real way = run.the_case.coupling.travel * std::min({h.x, h.y, h.z});
+  if (fastest * left <= way) {
+    return left;
+  }
+  return left / std::ceil(fastest * left / way - 1e-9);  // equal steps to the sample
+}
+
+void move_particles(CoupledRun& run, Real step) {
+  DryRun& particles = run.particles;
+  const dem::Particles& p = particles.system.particles();
+  Real smallest = INFINITY;
+  for (std::size_t i = 0; i < p.owned; ++i) {
+    smallest = std::min(smallest, p.radius[i]);
+  }
+  smallest = run.comm().min(smallest);
+  if (std::isfinite(smallest)) {
+    const Real approach = approach_share * run.the_case.contact.max_overlap * smallest;
+    run.state.substeps += particles.system.creep(step, approach).substeps;
+  }
+  const Real due = next_sample(particles);
+  const Real time = particles.state.time + step;
+  particles.state.time = std::abs(time - due) <= 1e-9 * step ? due : time;
+  particles.state.steps += 1;
+  particles.state.step = step;
+  run.state.fluid_passed += std::abs(run.now.flow_rate) * step;
+}
+
+namespace {
+
+Real particle_volume(const CoupledRun& run) {
+  const dem::Particles& p = run.particles.system.particles();
+  Real volume = 0;
+  for (std::size_t i = 0; i < p.owned; ++i) {
+    volume += 4.0 / 3 * pi * std::pow(p.radius[i], 3);
+  }
+  return run.comm().sum(volume);
+}
+
+/// Inlets follow the flow: where and how fast particles enter, and how many.
+void feed_inlets(CoupledRun& run) {
+  const Domain& domain = run.domain;
+  for (std::size_t k = 0; k < run.particles.inlets.size(); ++k) {
+    dem::Inlet& inlet = run.particles.inlets[k];
+    const config::Injection& asked = run.the_case.injection[k];
+    const int axis = axis_of(inlet.face);
+    const int a = axis == 0 ? 1 : 0;
+    const int b = axis == 2 ? 1 : 2;
+    const bool given = domain.boundaries.at(axis, is_high(inlet.face)) == flow::FaceKind::velocity;
+    const int plane = is_high(inlet.face) ? domain.cells[axis] - (given ? 1 : 0) : (given ? 1 : 0);
+    const auto profile =
+        std::make_shared<const std::vector<Real>>(run.solver.plane_velocities(axis, plane));
+    const Vec3 corner = domain.origin();
+    const Vec3 spacing = domain.spacing;
+    const Int3 cells = domain.cells;
+    inlet.flow = [=](const Vec3& x) {
+      const auto cell = [&](int t) {
+        const int i = static_cast<int>(std::floor((x[t] - corner[t]) / spacing[t]));
+        return static_cast<std::size_t>(std::clamp(i, 0, cells[t] - 1));
+      };
+      Vec3 v;
+      v[axis] = (*profile)[cell(b) * static_cast<std::size_t>(cells[a]) + cell(a)];
+      return v;
+    };
+    const Real inwards = is_high(inlet.face) ? -1 : 1;
+    Real rate = 0;
+    inlet.fastest_flow = 0;
+    for (int j = 0; j < cells[b]; ++j) {
+      for (int i = 0; i < cells[a]; ++i) {
+        const Real y = corner[a] + (i + 0.5) * spacing[a];
+        const Real z = corner[b] + (j + 0.5) * spacing[b];
+        if (y < inlet.low[a] || y > inlet.high[a] || z < inlet.low[b] || z > inlet.high[b]) {
+          continue;
+        }
+        const Real v = inwards * (*profile)[static_cast<std::size_t>(j) * cells[a] + i];
+        rate += std::max(v, 0.0) * spacing[a] * spacing[b];
+        inlet.fastest_flow = std::max(inlet.fastest_flow, v);
+      }
+    }
+    if (asked.kind == config::Concentration::volume_fraction) {
+      inlet.rate = asked.value * rate;
+    } else if (asked.kind == config::Concentration::mass_fraction) {
+      const Real c = asked.value;
+      const Real share = c / inlet.density;
+      inlet.rate = rate * share / (share + (1 - c) / run.the_case.fluid.density);
+    }
+  }
+}
+
+}  // namespace
+
+std::string pass_openings(CoupledRun& run, Real step) {
+  const Real before = particle_volume(run);
+  const std::string left = take_out(run.particles);
+  const Real between = particle_volume(run);
+  feed_inlets(run);
+  inject_due(run.particles, run.time() - step, run.time());
+  run.state.volume_out += before - between;
+  run.state.volume_in += particle_volume(run) - between;
+  run.particles.state.ledger.require_balance(
+      run.comm().sum(static_cast<Index>(run.particles.system.particles().owned)), run.time());
+  return left;
+}
+
+void look_at_limits(CoupledRun& run) {
+  constexpr Real clogged =
+      1e-4;  // of the clean permeability: what seeps through the pores of a clog
+  const config::Run& limits = run.the_case.run;
+  const auto stop = [&](std::string reason) {
+    run.state.stopped = true;
+    run.state.reason = std::move(reason);
+  };
+  if (limits.max_pore_volumes > 0 && run.pore_volumes() >= limits.max_pore_volumes) {
+    stop(fmt::format("{:.4g} pore volumes have passed", run.pore_volumes()));
+  } else if (run.permeability_ratio() < std::max(limits.min_permeability_ratio, clogged)) {
+    stop(run.permeability_ratio() < clogged
+             ? std::string("full clog: k/k0 fell below 1e-4")
+             : fmt::format("k/k0 = {:.4g} fell below min_permeability_ratio",
+                           run.permeability_ratio()));
+  } else if (run.the_case.flow.max_pressure > 0 &&
+             run.now.pressure_drop > run.the_case.flow.max_pressure) {
+    stop(fmt::format("the pump needs {:.4g} Pa, more than max_pressure", run.now.pressure_drop));
+  }
+}
+
+}  // namespace porefines::sim

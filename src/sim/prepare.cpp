@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MPL-2.0
+#include "sim/prepare.hpp"
+
+#include <iostream>
+
+#include "core/atomic_file.hpp"
+#include "core/log.hpp"
+#include "sim/grains.hpp"
+#include "sim/pictures.hpp"
+#include "sim/probe.hpp"
+#include "sim/session.hpp"
+
+namespace porefines::sim {
+
+Prepared prepare(const config::Case& the_case, const par::Communicator& comm) {
+  stop_if_asked(comm);
+  geom::Sample sample = geom::build_sample(geometry_spec(the_case), comm.handle());
+  stop_if_asked(comm);
+  const Domain domain = make_domain(the_case, sample);
+  const Probe probe = probe_grid(sample, domain);
+  Plan plan = make_plan(the_case, sample, domain, probe, comm.size());
+  require_memory(the_case, plan, domain, comm);
+  plan.seconds = estimate_seconds(the_case, plan, comm);
+  stop_if_asked(comm);
+  std::vector<std::string> story = describe(the_case, sample, domain, probe, plan);
+  return {std::move(sample), domain, plan,
+          par::decompose(domain.cells, comm.size(), probe.work, the_case.grid.decomposition),
+          std::move(story)};
+}
+
+void show_plan(const config::Case& the_case, const RunOptions& options, const Prepared& prepared,
+               const io::Provenance& provenance, const par::Communicator& comm) {
+  on_root(comm, [&] {
+    make_folder(options.output_dir);
+    draw_sample(options.output_dir, the_case, prepared.sample, prepared.domain, provenance);
+    Log log("", &std::cout);
+    for (const std::string& line : prepared.story) {
+      log.info("{}", line);
+    }
+    log.info("picture    {}/geometry.png", options.output_dir);
+  });
+}
+
+/// Links fluid and grains; returns the share of solid in every cell.
+std::vector<float> set_up(flow::StokesSolver& solver, const config::Case& the_case,
+                          const Prepared& prepared, const par::Communicator& comm) {
+  const geom::Solid grains =
+      local_solid(the_case, prepared.sample, prepared.domain, prepared.cut, comm.rank());
+  stop_if_asked(comm);
+  link_grains(solver, the_case, prepared.sample, grains, prepared.domain);
+  stop_if_asked(comm);
+  std::vector<float> solid =
+      solid_fraction(the_case, prepared.sample, grains, prepared.domain, solver.block());
+  stop_if_asked(comm);
+  return solid;
+}
+
+void to_case_units(flow::StokesSolver::CellFields& fields, Real scale, Real offset) {
+  for (auto& component : fields.velocity) {
+    for (float& value : component) {
+      value *= static_cast<float>(scale);
+    }
+  }
+  for (std::size_t at = 0; at < fields.pressure.size(); ++at) {
+    const Real p = fields.pressure[at] * scale + offset;
+    fields.pressure[at] = fields.fluid[at] != 0 ? static_cast<float>(p) : 0;
+  }
+}
+
+}  // namespace porefines::sim
