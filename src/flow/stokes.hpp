@@ -74,6 +74,16 @@ class StokesSolver {
   [[nodiscard]] std::vector<SphereMotion> sphere_motions() const;
   /// Orphan cells and pockets of the last placement, on this rank.
   [[nodiscard]] const CoverCount& cover_count() const { return spheres_->cover().count(); }
+  /// The last solve, from which the next one starts: with it a run goes on bit for bit.
+  struct Memory {
+    std::vector<Real> unknowns;
+    Real scale = 1;
+    std::vector<Sphere> spheres;
+  };
+  [[nodiscard]] Memory remember() const;
+  /// Of a solver with the same grains on as many ranks. Collective.
+  void recall(const Memory& memory);
+
   /// Starts the next solve from rest.
   void forget() { x_.clear(); }
 

@@ -170,6 +170,24 @@ void StokesSolver::place_and_guess(const Drive& drive, Packed<float>& b, bool wa
   op.store_unknowns(x_);
 }
 
+StokesSolver::Memory StokesSolver::remember() const {
+  return {{x_.begin(), x_.end()}, scale_, given_};
+}
+
+void StokesSolver::recall(const Memory& memory) {
+  set_spheres(memory.spheres);
+  scale_ = memory.scale;
+  spheres_->lift();
+  operator_->attach(nullptr);
+  show_held_to_coarse_levels();
+  spheres_->place(scaled_spheres());
+  operator_->attach(spheres_.get());
+  x_.assign(memory.unknowns.begin(), memory.unknowns.end());
+  if (x_.size() != operator_->size()) {
+    x_.clear();  // of another number of ranks: from rest
+  }
+}
+
 SolveReport StokesSolver::solve_suspension(const Drive& drive, SolveOptions options) {
   const Real before = scale_;
   scale_ = std::max(force_scale(drive), sphere_scale());

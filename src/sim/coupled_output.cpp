@@ -10,11 +10,6 @@
 namespace porefines::sim {
 namespace {
 
-bool is_due(const CoupledRun& run, config::OutputKind kind, Index written) {
-  const Real due = static_cast<Real>(written) * sample_interval(run.the_case, kind);
-  return is_sampled(run.the_case, kind) && run.time() >= due * (1 - 1e-12);
-}
-
 /// Volume of particles in the fluid that entered, and in what left, since the last row.
 std::vector<Real> series_values(CoupledRun& run, const Moment& moment) {
   CoupledState& s = run.state;
@@ -95,19 +90,25 @@ std::vector<std::string> coupled_columns() {
 }
 
 CoupledSink open_coupled_sink(const std::string& folder, const CoupledRun& run,
-                              const io::Provenance& provenance) {
+                              const io::Provenance& provenance, Start start) {
   CoupledSink sink{folder, provenance, {}, {}, {}};
   on_root(run.comm(), [&] {
-    sink.series.emplace(folder + "/series.csv", coupled_columns());
+    const Real time = run.time();
+    sink.series.emplace(open_table(folder + "/series.csv", coupled_columns(), time, start));
     if (const auto* output = config::find_output(run.the_case, config::OutputKind::tracks)) {
-      sink.tracks.emplace(folder + "/tracks.csv", track_columns(output->forces));
+      sink.tracks.emplace(
+          open_table(folder + "/tracks.csv", track_columns(output->forces), time, start));
     }
   });
   if (config::find_output(run.the_case, config::OutputKind::fields) != nullptr) {
     const grid::Block& b = run.solver.block();
-    sink.fields.emplace(
-        folder, run.comm().handle(),
-        io::GridBlock{b.global, run.domain.origin(), run.domain.spacing, b.start, b.n}, provenance);
+    const io::GridBlock grid{b.global, run.domain.origin(), run.domain.spacing, b.start, b.n};
+    if (start == Start::resumed) {
+      sink.fields.emplace(
+          io::FieldWriter::resume(folder, run.comm().handle(), grid, provenance, run.time()));
+    } else {
+      sink.fields.emplace(folder, run.comm().handle(), grid, provenance);
+    }
   }
   return sink;
 }
@@ -116,12 +117,12 @@ void write_coupled(CoupledRun& run, CoupledSink& sink, const std::string& left,
                    std::span<const float> solid) {
   DryState& state = run.particles.state;
   std::string rows = left;
-  if (is_due(run, config::OutputKind::tracks, state.tracked)) {
+  if (is_due(run.the_case, config::OutputKind::tracks, state.tracked, run.time())) {
     rows += track_rows(run.particles);
     ++state.tracked;
   }
   std::vector<Real> row;
-  if (is_due(run, config::OutputKind::summary, state.samples)) {
+  if (is_due(run.the_case, config::OutputKind::summary, state.samples, run.time())) {
     row = series_values(run, look(run.particles));
     ++state.samples;
   }
@@ -133,9 +134,10 @@ void write_coupled(CoupledRun& run, CoupledSink& sink, const std::string& left,
       sink.series->append(row);
     }
   });
-  if (sink.fields && is_due(run, config::OutputKind::fields, sink.fields_written)) {
+  if (sink.fields &&
+      is_due(run.the_case, config::OutputKind::fields, run.state.fields_written, run.time())) {
     write_step_fields(run, sink, solid);
-    ++sink.fields_written;
+    ++run.state.fields_written;
   }
 }
 

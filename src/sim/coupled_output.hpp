@@ -9,6 +9,7 @@
 #include "io/fields.hpp"
 #include "io/series.hpp"
 #include "sim/coupled_state.hpp"
+#include "sim/session.hpp"
 
 namespace porefines::sim {
 
@@ -19,12 +20,12 @@ struct CoupledSink {
   std::optional<io::SeriesWriter> series;
   std::optional<io::SeriesWriter> tracks;
   std::optional<io::FieldWriter> fields;
-  Index fields_written = 0;
+  Real saved = 0;  ///< [s] of wall time at the last checkpoint
 };
 
-/// Starts the tables. Collective.
+/// Starts the tables, or continues them after the time of a resumed run. Collective.
 [[nodiscard]] CoupledSink open_coupled_sink(const std::string& folder, const CoupledRun& run,
-                                            const io::Provenance& provenance);
+                                            const io::Provenance& provenance, Start start);
 
 /// Writes what is due: a row of series.csv, tracks, fields. Collective.
 /// @param left   rows of those that left, for tracks.csv

@@ -8,6 +8,7 @@
 #include "core/memory.hpp"
 #include "core/progress.hpp"
 #include "core/signals.hpp"
+#include "sim/coupled_checkpoint.hpp"
 #include "sim/coupled_output.hpp"
 #include "sim/grains.hpp"
 #include "sim/pictures.hpp"
@@ -34,16 +35,28 @@ std::optional<CoupledEnd> interruption(const CoupledRun& run, const Stopwatch& w
   }
   const Real limit = run.the_case.run.max_wall;
   if (limit > 0 && run.comm().max(watch.seconds()) > limit) {
-    return CoupledEnd{"stopped", "max_wall", exit_code::stopped_itself,
-                      fmt::format("run.max_wall is over at {:.6g} s of {:.6g} s; results are those "
-                                  "so far",
-                                  run.time(), run.the_case.run.end_time)};
+    return CoupledEnd{
+        "stopped", "max_wall", exit_code::stopped_itself,
+        fmt::format("run.max_wall is over at {:.6g} s of {:.6g} s; results are those so "
+                    "far, and --restart goes on",
+                    run.time(), run.the_case.run.end_time)};
   }
   return {};
 }
 
+/// Writes a checkpoint; a failure is a warning, since the run has its worth without. Collective.
+void save(const CoupledRun& run, CoupledSink& sink, const Stopwatch& watch, Log& log) {
+  sink.saved = run.comm().max(watch.seconds());
+  try {
+    write_checkpoint(run, sink.folder, sink.provenance);
+    log.info("checkpoint at {:.9g} s, step {}", run.time(), run.particles.state.steps);
+  } catch (const RunError& failure) {
+    log.warn("no checkpoint at {:.6g} s: {}", run.time(), failure.what());
+  }
+}
+
 CoupledEnd simulate(CoupledRun& run, CoupledSink& sink, std::span<const float> solid,
-                    const Stopwatch& watch) {
+                    const Stopwatch& watch, Log& log) {
   std::optional<Progress> progress;
   if (run.comm().is_root()) {
     progress.emplace("run");
@@ -55,6 +68,7 @@ CoupledEnd simulate(CoupledRun& run, CoupledSink& sink, std::span<const float> s
     write_coupled(run, sink, left, solid);  // of this moment
     look_at_limits(run);
     if (run.time() >= end || run.state.stopped) {
+      save(run, sink, watch, log);
       return {"done", run.state.reason, exit_code::done, ""};
     }
     const Real step = choose_step(run);
@@ -65,17 +79,21 @@ CoupledEnd simulate(CoupledRun& run, CoupledSink& sink, std::span<const float> s
       progress->update(run.time() / end);
     }
     if (const auto stop = interruption(run, watch)) {
+      save(run, sink, watch, log);
       return *stop;
+    }
+    if (run.comm().max(watch.seconds()) - sink.saved >= run.the_case.checkpoint.every) {
+      save(run, sink, watch, log);
     }
   }
 }
 
 /// The same, with errors as an ending: what there is will be written before they are reported.
 CoupledEnd simulate_safely(CoupledRun& run, CoupledSink& sink, std::span<const float> solid,
-                           const Stopwatch& watch) {
+                           const Stopwatch& watch, Log& log) {
   std::string error;
   try {
-    return simulate(run, sink, solid, watch);
+    return simulate(run, sink, solid, watch, log);
   } catch (const RunError& failure) {
     error = failure.what();
   }
@@ -128,7 +146,8 @@ int run_coupled_case(const config::Case& the_case, const RunOptions& options,
     return exit_code::done;
   }
   const std::string& folder = options.output_dir;
-  log.emplace(open_folder(folder, the_case, comm));
+  const Start start = options.restart ? Start::resumed : Start::fresh;
+  log.emplace(open_folder(folder, the_case, comm, start));
   say(*log, comm, provenance, prepared.story);
 
   flow::StokesSolver solver(comm, prepared.cut, domain.spacing, domain.boundaries,
@@ -148,12 +167,17 @@ int run_coupled_case(const config::Case& the_case, const RunOptions& options,
 
   CoupledRun run = make_coupled_run(the_case, prepared.sample, domain, prepared.cut, solver, clean,
                                     facts.porosity.connected, comm);
-  for (const std::string& remark : place_particles(run.particles)) {
-    log->info("{}", remark);
+  if (options.restart) {
+    go_on(run, folder);
+    log->info("goes on at {:.6g} s, step {}", run.time(), run.particles.state.steps);
+  } else {
+    for (const std::string& remark : place_particles(run.particles)) {
+      log->info("{}", remark);
+    }
+    run.particles.system.start_creeping();
   }
-  run.particles.system.start_creeping();
-  CoupledSink sink = open_coupled_sink(folder, run, provenance);
-  const CoupledEnd end = simulate_safely(run, sink, solid, watch);
+  CoupledSink sink = open_coupled_sink(folder, run, provenance, start);
+  const CoupledEnd end = simulate_safely(run, sink, solid, watch, *log);
   draw_end(run, folder, prepared.sample, solid, provenance);
   facts.peak_memory = comm.sum(static_cast<Real>(peak_memory()));
   facts.wall_time = watch.seconds();

@@ -91,6 +91,8 @@ CoupledRun make_coupled_run(const config::Case& the_case, const geom::Sample& sa
       porosity * domain.area() * domain.length(),
       {},
       {}};
+  run.particles.in_fluid = true;
+  run.particles.state.inlets.resize(run.particles.inlets.size());
   run.state.clean_permeability = clean.permeability;
   run.state.clean_rate = clean.flow_rate;
   set_drive(run, clean);

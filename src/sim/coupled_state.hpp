@@ -33,7 +33,7 @@ struct CoupledState {
   Index solves = 0;
   Index cycles = 0;
   Index substeps = 0;
-  Index orphans_lost = 0;
+  Index fields_written = 0;
   bool stopped = false;  ///< by one of the limits of the case
   std::string reason;
   // At the last row of series.csv:

@@ -101,19 +101,26 @@ std::string difference_of_cases(const std::string& before, const std::string& no
                      is.empty() ? "nothing" : is);
 }
 
+void put_run(io::Checkpoint& checkpoint, const DryRun& run, const dem::Snapshot& snapshot) {
+  checkpoint.text("case", config::effective_case(run.the_case));
+  put_state(checkpoint, run.state);
+  put_snapshot(checkpoint, snapshot);
+}
+
 void write_checkpoint(const DryRun& run, const std::string& folder,
                       const io::Provenance& provenance) {
   const dem::Snapshot snapshot = run.system.save();
   io::Checkpoint checkpoint;
-  checkpoint.text("case", config::effective_case(run.the_case));
-  put_state(checkpoint, run.state);
-  put_snapshot(checkpoint, snapshot);
+  put_run(checkpoint, run, snapshot);
   io::write_checkpoint(folder, run.the_case.checkpoint.keep, checkpoint, provenance,
                        run.comm.handle());
 }
 
 void go_on(DryRun& run, const std::string& folder) {
-  const io::CheckpointReader reader(folder, run.comm.rank(), run.comm.size());
+  get_run(io::CheckpointReader(folder, run.comm.rank(), run.comm.size()), run);
+}
+
+void get_run(const io::CheckpointReader& reader, DryRun& run) {
   const std::string difference =
       difference_of_cases(reader.text("case"), config::effective_case(run.the_case));
   if (!difference.empty()) {

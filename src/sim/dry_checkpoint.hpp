@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "io/checkpoint.hpp"
 #include "io/provenance.hpp"
 #include "sim/dry_state.hpp"
 
@@ -12,6 +13,12 @@ namespace porefines::sim {
 /// @throws RunError  on every rank; the checkpoint before stays
 void write_checkpoint(const DryRun& run, const std::string& folder,
                       const io::Provenance& provenance);
+
+/// The parts that other kinds of run with particles have as well: the case, counters, particles.
+/// The snapshot must live until the checkpoint is written.
+void put_run(io::Checkpoint& checkpoint, const DryRun& run, const dem::Snapshot& snapshot);
+/// @throws InputError  the checkpoint is of another case
+void get_run(const io::CheckpointReader& reader, DryRun& run);
 
 /// Puts a run that was just made where the folder's checkpoint is. Collective.
 /// @throws InputError  there is none, or it is of another case: with the key that differs

@@ -9,22 +9,6 @@
 #include "sim/tracks.hpp"
 
 namespace porefines::sim {
-namespace {
-
-io::SeriesWriter open_table(const std::string& path, const std::vector<std::string>& names,
-                            Real time, Start start) {
-  return start == Start::resumed ? io::SeriesWriter::resume(path, names, time)
-                                 : io::SeriesWriter(path, names);
-}
-
-/// Is the next sample of this output now?
-bool is_due(const DryRun& run, config::OutputKind kind, Index written) {
-  const Real due = static_cast<Real>(written) * sample_interval(run.the_case, kind);
-  return is_sampled(run.the_case, kind) && run.state.time >= due * (1 - 1e-12);
-}
-
-}  // namespace
-
 Sink open_sink(const std::string& folder, const DryRun& run, const io::Provenance& provenance,
                Start start) {
   Sink sink{folder, provenance};
@@ -41,12 +25,12 @@ Sink open_sink(const std::string& folder, const DryRun& run, const io::Provenanc
 
 void write_due(DryRun& run, Sink& sink, const std::string& left) {
   std::string rows = left;
-  if (is_due(run, config::OutputKind::tracks, run.state.tracked)) {
+  if (is_due(run.the_case, config::OutputKind::tracks, run.state.tracked, run.state.time)) {
     rows += track_rows(run);
     ++run.state.tracked;
   }
   std::optional<Moment> now;
-  if (is_due(run, config::OutputKind::summary, run.state.samples)) {
+  if (is_due(run.the_case, config::OutputKind::summary, run.state.samples, run.state.time)) {
     now = look(run);
     ++run.state.samples;
   }
@@ -58,7 +42,7 @@ void write_due(DryRun& run, Sink& sink, const std::string& left) {
       sink.series->append(series_row(run, *now));
     }
   });
-  if (is_due(run, config::OutputKind::pictures, run.state.drawn)) {
+  if (is_due(run.the_case, config::OutputKind::pictures, run.state.drawn, run.state.time)) {
     draw_dry(fmt::format("{}/particles_{:05}.png", sink.folder, run.state.drawn), run,
              sink.provenance);
     ++run.state.drawn;

@@ -135,6 +135,17 @@ std::vector<Real> series_row(const DryRun& run, const Moment& now) {
           run.state.step};
 }
 
+io::SeriesWriter open_table(const std::string& path, const std::vector<std::string>& names,
+                            Real time, Start start) {
+  return start == Start::resumed ? io::SeriesWriter::resume(path, names, time)
+                                 : io::SeriesWriter(path, names);
+}
+
+bool is_due(const config::Case& the_case, config::OutputKind kind, Index written, Real time) {
+  const Real due = static_cast<Real>(written) * sample_interval(the_case, kind);
+  return is_sampled(the_case, kind) && time >= due * (1 - 1e-12);
+}
+
 bool is_sampled(const config::Case& the_case, config::OutputKind kind) {
   const config::Output* output = config::find_output(the_case, kind);
   return kind == config::OutputKind::summary ||

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "config/case.hpp"
+#include "io/series.hpp"
 #include "sim/dry_state.hpp"
+#include "sim/session.hpp"
 
 namespace porefines::sim {
 
@@ -24,6 +26,15 @@ namespace porefines::sim {
 /// Columns of series.csv and its row of the moment.
 [[nodiscard]] std::vector<std::string> series_columns();
 [[nodiscard]] std::vector<Real> series_row(const DryRun& run, const Moment& now);
+
+/// A table of its own, or one continued after `time`.
+[[nodiscard]] io::SeriesWriter open_table(const std::string& path,
+                                          const std::vector<std::string>& names, Real time,
+                                          Start start);
+
+/// Is the next sample of this output now, `written` samples being there?
+[[nodiscard]] bool is_due(const config::Case& the_case, config::OutputKind kind, Index written,
+                          Real time);
 
 /// Is there more of this than at the end? Series always, tracks when asked for, pictures when they
 /// say how often.

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MPL-2.0
+#include "sim/coupled_checkpoint.hpp"
+
+#include <array>
+
+#include "io/checkpoint.hpp"
+#include "sim/dry_checkpoint.hpp"
+
+namespace porefines::sim {
+namespace {
+
+/// Calls visit(number) for every real number of the state, in a fixed order.
+template <typename State, typename Visit>
+void for_reals(State& s, const Visit& visit) {
+  visit(s.drive_factor), visit(s.fluid_passed), visit(s.volume_in), visit(s.volume_out);
+  visit(s.sampled_fluid), visit(s.sampled_in), visit(s.sampled_out);
+}
+
+template <typename State, typename Visit>
+void for_counts(State& s, const Visit& visit) {
+  visit(s.solves), visit(s.cycles), visit(s.substeps), visit(s.fields_written);
+}
+
+constexpr int sphere_columns = 17;
+
+std::array<Real, sphere_columns> numbers_of(const flow::Sphere& q) {
+  return {q.position.x, q.position.y, q.position.z, q.radius,   q.held ? 1.0 : 0.0, q.velocity.x,
+          q.velocity.y, q.velocity.z, q.spin.x,     q.spin.y,   q.spin.z,           q.force.x,
+          q.force.y,    q.force.z,    q.torque.x,   q.torque.y, q.torque.z};
+}
+
+flow::Sphere sphere_of(std::uint64_t id, const Real* n) {
+  return {id,
+          {n[0], n[1], n[2]},
+          n[3],
+          n[4] != 0,
+          {n[5], n[6], n[7]},
+          {n[8], n[9], n[10]},
+          {n[11], n[12], n[13]},
+          {n[14], n[15], n[16]}};
+}
+
+}  // namespace
+
+void write_checkpoint(const CoupledRun& run, const std::string& folder,
+                      const io::Provenance& provenance) {
+  const dem::Snapshot snapshot = run.particles.system.save();
+  const flow::StokesSolver::Memory memory = run.solver.remember();
+  io::Checkpoint checkpoint;
+  put_run(checkpoint, run.particles, snapshot);
+  std::vector<Real> reals;
+  for_reals(run.state, [&](Real value) { reals.push_back(value); });
+  checkpoint.whole("coupled_reals", std::move(reals));
+  std::vector<std::int64_t> counts;
+  for_counts(run.state, [&](Index value) { counts.push_back(value); });
+  checkpoint.whole("coupled_counts", std::move(counts));
+  checkpoint.whole("flow_scale", std::vector<Real>{memory.scale});
+  checkpoint.rows("flow_unknowns", std::span<const Real>(memory.unknowns));
+  std::vector<std::uint64_t> ids;
+  std::vector<Real> numbers;
+  for (const flow::Sphere& q : memory.spheres) {
+    ids.push_back(q.id);
+    const auto row = numbers_of(q);
+    numbers.insert(numbers.end(), row.begin(), row.end());
+  }
+  checkpoint.rows("flow_sphere_ids", std::move(ids));
+  checkpoint.rows("flow_spheres", std::move(numbers), sphere_columns);
+  io::write_checkpoint(folder, run.the_case.checkpoint.keep, checkpoint, provenance,
+                       run.comm().handle());
+}
+
+void go_on(CoupledRun& run, const std::string& folder) {
+  const io::CheckpointReader reader(folder, run.comm().rank(), run.comm().size());
+  get_run(reader, run.particles);
+  const auto reals = reader.whole<Real>("coupled_reals");
+  const auto counts = reader.whole<std::int64_t>("coupled_counts");
+  std::size_t at = 0;
+  for_reals(run.state, [&](Real& value) { value = reals.at(at++); });
+  at = 0;
+  for_counts(run.state, [&](Index& value) { value = counts.at(at++); });
+  if (!reader.same_ranks()) {
+    run.solver.forget();
+    return;
+  }
+  flow::StokesSolver::Memory memory;
+  memory.scale = reader.whole<Real>("flow_scale").at(0);
+  memory.unknowns = reader.rows<Real>("flow_unknowns");
+  const auto ids = reader.rows<std::uint64_t>("flow_sphere_ids");
+  const auto numbers = reader.rows<Real>("flow_spheres", sphere_columns);
+  for (std::size_t q = 0; q < ids.size(); ++q) {
+    memory.spheres.push_back(sphere_of(ids[q], &numbers[q * sphere_columns]));
+  }
+  run.solver.recall(memory);
+}
+
+}  // namespace porefines::sim
