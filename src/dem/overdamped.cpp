@@ -16,6 +16,9 @@ namespace {
 /// Substep times the fastest relaxation rate of the contacts: explicit Euler is stable below 2.
 constexpr Real stability = 0.5;
 
+/// Steps that may be this much longer than the one before are extrapolated in full.
+constexpr Real longest_ahead = 2;
+
 /// W of this step, extrapolated to its middle by Adams-Bashforth; remembers it for the next.
 void extrapolate(Particles& p, Real dt) {
   Creeping& c = p.creeping;
@@ -26,7 +29,10 @@ void extrapolate(Particles& p, Real dt) {
     }
     const Vec3 w = c.free_velocity[i] - c.told_force[i] / c.resistance[i];
     const Vec3 s = c.free_spin[i] - c.told_torque[i] / c.spin_resistance[i];
-    const Real ahead = c.drift_step[i] > 0 ? dt / (2 * c.drift_step[i]) : 0;
+    // What is held by contacts has no way to extrapolate: there F* follows U*, and would overshoot.
+    const bool free = dot(c.told_force[i], c.told_force[i]) == 0;
+    const Real ahead =
+        free && c.drift_step[i] > 0 ? std::min(dt / c.drift_step[i], longest_ahead) / 2 : 0;
     c.way[i] = w + ahead * (w - c.drift[i]);
     c.way_spin[i] = s + ahead * (s - c.drift_spin[i]);
     c.drift[i] = w, c.drift_spin[i] = s, c.drift_step[i] = dt;

@@ -12,10 +12,12 @@ RigidSpheres::RigidSpheres(const par::Communicator& comm, Operator& op, Friction
       cover_(op, friction, boundaries),
       set_(comm, level_.decomposition, spacing, boundaries, level_.block) {}
 
-void RigidSpheres::place(std::span<const Ball> owned) {
+void RigidSpheres::place(std::span<const Ball> owned, std::span<const WallGap> walls,
+                         Real roughness) {
   cover_.lift();
   set_.distribute(owned);
   cover_.place(set_);
+  gaps_ = find_lubrication(set_, level_.block, walls, roughness);
   find_blocks();
   motion_.clear();
   force_.assign(set_.size(), {});
@@ -58,11 +60,15 @@ void RigidSpheres::find_blocks() {
       }
     }
   }
+  const Real per_cell = 1 / set_.cell_volume();
+  for (const Lubrication& gap : gaps_) {
+    add_own_blocks(gap, per_cell, block);
+  }
   set_.sum(faces);
   set_.sum(block);
   for (std::size_t b = 0; b < set_.size(); ++b) {
     for (const int x : {3, 4, 5}) {
-      block[b][7 * x] += 2 * set_.balls()[b].spin_volume;
+      block[b][7 * x] += 2 * set_.volume(b);
     }
   }
   lower_.clear();
@@ -118,10 +124,13 @@ void RigidSpheres::find_rows() {
   for (std::size_t b = 0; b < set_.size(); ++b) {
     row_[b] = pull(b);
   }
+  for (const Lubrication& gap : gaps_) {
+    add_lubrication(gap, motion_, 1 / set_.cell_volume(), row_);
+  }
   set_.sum(row_);
   for (std::size_t b = 0; b < set_.size(); ++b) {
     for (const int x : {3, 4, 5}) {
-      row_[b][x] -= 2 * set_.balls()[b].spin_volume * motion_[b][x];
+      row_[b][x] -= 2 * set_.volume(b) * motion_[b][x];
     }
   }
 }

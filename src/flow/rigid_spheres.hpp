@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "flow/lubrication.hpp"
 #include "flow/operator.hpp"
 #include "flow/sphere_cover.hpp"
 #include "flow/sphere_set.hpp"
@@ -18,7 +19,7 @@ namespace porefines::flow {
 ///
 ///     momentum:    A u - sum k r.V + W grad p = f
 ///     continuity:  div W u + sum g.V = 0
-///     sphere:      sum k r (r.V - u) - sum g p + 2 mu Vol (0, omega) = F
+///     sphere:      sum k r (r.V - u) - sum g p + 2 mu Vol (0, omega) + lubrication = F
 ///
 /// The Laplacian of the momentum rows stands for the traction mu du/dn; that of the full stress has
 /// mu (grad u)^T n besides, which is -mu omega x n on a rigid surface: no force, but the torque
@@ -37,7 +38,9 @@ class RigidSpheres {
                const Boundaries& boundaries);
 
   /// New places: covers faces and cuts links, and gives back the former ones. Collective.
-  void place(std::span<const Ball> owned);
+  /// @param walls      gaps near owned balls, in fine cells
+  /// @param roughness  smallest gap, in fine cells; 0: a hundredth of the smaller radius
+  void place(std::span<const Ball> owned, std::span<const WallGap> walls, Real roughness = 0);
   /// The grid without spheres again.
   void lift() { cover_.lift(); }
 
@@ -107,6 +110,7 @@ class RigidSpheres {
   Level& level_;
   SphereCover cover_;
   SphereSet set_;
+  std::vector<Lubrication> gaps_;  ///< that this rank counts
   std::vector<SixBySix> lower_;    ///< L
   std::vector<SixBySix> spread_;   ///< N^-1; zero for held balls, as the next
   std::vector<SixBySix> inverse_;  ///< of the diagonal block

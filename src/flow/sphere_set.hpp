@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -19,8 +20,8 @@ namespace porefines::flow {
 struct Ball {
   std::uint64_t id = 0;
   Vec3 centre;
-  Real radius = 0;       ///< that the grid sees: the calibrated one
-  Real spin_volume = 0;  ///< of the sphere itself, for its rotational friction
+  Real radius = 0;  ///< that the grid sees: the calibrated one
+  Real body = 0;    ///< radius of the sphere itself
   bool held = false;
   Six force{};   ///< from outside, per volume of a fine cell
   Six motion{};  ///< of the step before; kept where held
@@ -57,6 +58,13 @@ class SphereSet {
   [[nodiscard]] std::size_t size() const { return balls_.size(); }  ///< owned first, then others'
   [[nodiscard]] const std::vector<Ball>& balls() const { return balls_; }
   [[nodiscard]] const std::vector<BallImage>& images() const { return images_; }
+  [[nodiscard]] Real cell_volume() const { return spacing_.x * spacing_.y * spacing_.z; }
+  /// Of a ball itself, in cells.
+  [[nodiscard]] Real volume(std::size_t ball) const {
+    const Real r = balls_[ball].body;
+    return 4.0 / 3 * std::numbers::pi * r * r * r / cell_volume();
+  }
+  [[nodiscard]] const Vec3& spacing() const { return spacing_; }
   /// Sums `parts` (6 or 36 numbers per held ball) over the ranks that hold it; collective.
   template <std::size_t count>
   void sum(std::vector<std::array<Real, count>>& parts);

@@ -68,8 +68,13 @@ class StokesSolver {
 
   /// Spheres of the next solves, each with the rank whose block holds its centre. The grid sees the
   /// radius r + 0.26 h/D, D being the diameter in cells: drag then is right to 0.5 % from D = 4 on
-  /// (algorithm.md section 4). Collective.
-  void set_spheres(std::span<const Sphere> owned);
+  /// (algorithm.md section 4). Between two of them, and between one and a wall of the list, gaps
+  /// below a cell get the lubrication that the grid misses (lubrication.hpp). Collective.
+  /// @param walls  gaps [m] to grains and walls near the spheres
+  void set_spheres(std::span<const Sphere> owned, std::span<const WallGap> walls = {});
+  /// [m] smallest gap that lubrication knows: the height of roughness. Default: a hundredth of the
+  /// smaller radius.
+  void set_roughness(Real height) { roughness_ = height; }
   /// What the last solve found, in the order given.
   [[nodiscard]] std::vector<SphereMotion> sphere_motions() const;
   /// Orphan cells and pockets of the last placement, on this rank.
@@ -120,6 +125,7 @@ class StokesSolver {
   [[nodiscard]] Real flux_variation() const;
   [[nodiscard]] Real sphere_scale() const;
   [[nodiscard]] std::vector<Ball> scaled_spheres() const;
+  [[nodiscard]] std::vector<WallGap> scaled_walls() const;
   SolveReport solve_suspension(const Drive& drive, SolveOptions options);
   void place_and_guess(const Drive& drive, Packed<float>& b, bool warm);
   void show_held_to_coarse_levels();
@@ -135,7 +141,9 @@ class StokesSolver {
   Packed<double> x_;
   Real scale_ = 1;  ///< [Pa/m] force that is 1 inside
   std::unique_ptr<RigidSpheres> spheres_;
-  std::vector<Sphere> given_;                         ///< of this rank
+  std::vector<Sphere> given_;  ///< of this rank
+  std::vector<WallGap> walls_;
+  Real roughness_ = 0;
   std::vector<std::pair<std::uint64_t, Vec3>> held_;  ///< that the coarse levels know, of this rank
   std::vector<Six> drive_on_;  ///< this solve's drive on each held ball, scaled
 };

@@ -20,8 +20,9 @@ Six six(const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
-void StokesSolver::set_spheres(std::span<const Sphere> owned) {
+void StokesSolver::set_spheres(std::span<const Sphere> owned, std::span<const WallGap> walls) {
   given_.assign(owned.begin(), owned.end());
+  walls_.assign(walls.begin(), walls.end());
   if (!spheres_) {
     spheres_ = std::make_unique<RigidSpheres>(comm_, *operator_, *friction_, spacing_ / spacing_.x,
                                               boundaries_);
@@ -50,8 +51,7 @@ std::vector<Ball> StokesSolver::scaled_spheres() const {
     ball.id = q.id;
     ball.centre = q.position / h;
     ball.radius = q.radius / h;
-    ball.spin_volume =
-        4.0 / 3 * M_PI * q.radius * q.radius * q.radius / (spacing_.x * spacing_.y * spacing_.z);
+    ball.body = ball.radius;
     ball.radius += calibration / (2 * ball.radius);
     ball.held = q.held;
     ball.force = six(q.force / force_unit, q.torque / (force_unit * h));
@@ -59,6 +59,14 @@ std::vector<Ball> StokesSolver::scaled_spheres() const {
     balls.push_back(ball);
   }
   return balls;
+}
+
+std::vector<WallGap> StokesSolver::scaled_walls() const {
+  std::vector<WallGap> walls = walls_;
+  for (WallGap& q : walls) {
+    q.gap /= spacing_.x;
+  }
+  return walls;
 }
 
 /// Pressure of cells that spheres have left: the mean of open neighbours, layer by layer. Their
@@ -117,7 +125,7 @@ void StokesSolver::show_held_to_coarse_levels() {
     return;
   }
   held_ = held;
-  spheres_->place(balls);
+  spheres_->place(balls, {});
   hierarchy_.build();
 }
 
@@ -138,7 +146,7 @@ void StokesSolver::place_and_guess(const Drive& drive, Packed<float>& b, bool wa
   if (!warm) {
     op.load_unknowns(first_guess(drive));
   }
-  spheres_->place(scaled_spheres());
+  spheres_->place(scaled_spheres(), scaled_walls(), roughness_ / spacing_.x);
   op.attach(spheres_.get());
   level.exchange_unknowns(sweep_depth);
   spheres_->write_faces(false);
@@ -180,7 +188,7 @@ void StokesSolver::recall(const Memory& memory) {
   spheres_->lift();
   operator_->attach(nullptr);
   show_held_to_coarse_levels();
-  spheres_->place(scaled_spheres());
+  spheres_->place(scaled_spheres(), scaled_walls(), roughness_ / spacing_.x);
   operator_->attach(spheres_.get());
   x_.assign(memory.unknowns.begin(), memory.unknowns.end());
   if (x_.size() != operator_->size()) {

@@ -47,6 +47,23 @@ std::vector<flow::Sphere> spheres_of(CoupledRun& run) {
   return spheres;
 }
 
+/// Grains and walls within a cell or so of the spheres of this rank.
+std::vector<flow::WallGap> walls_near(const CoupledRun& run) {
+  constexpr Real range = 1.25;  // cells, beyond which lubrication has no part
+  const dem::System& system = run.particles.system;
+  const dem::Particles& p = system.particles();
+  const Real reach = range * run.domain.spacing.x;
+  std::vector<flow::WallGap> walls;
+  dem::TouchList touches;
+  for (std::size_t i = 0; i < p.owned; ++i) {
+    dem::find_touches(system.settings().walls, p.position[i], p.radius[i], reach, touches);
+    for (const dem::Touch& touch : touches.view()) {
+      walls.push_back({i, touch.normal, touch.gap, touch.share});
+    }
+  }
+  return walls;
+}
+
 void take_motions(CoupledRun& run) {
   dem::Particles& p = run.particles.system.particles();
   const std::vector<flow::SphereMotion> motions = run.solver.sphere_motions();
@@ -115,7 +132,7 @@ void solve_flow(CoupledRun& run) {
   run.now.cycles = 0;
   for (int turn = 0; turn < most_turns; ++turn) {
     const flow::Drive drive = scaled(run.drive, run.state.drive_factor);
-    run.solver.set_spheres(spheres_of(run));
+    run.solver.set_spheres(spheres_of(run), walls_near(run));
     solve_once(run, drive);
     take_motions(run);
     measure(run, drive);
@@ -143,12 +160,14 @@ Real choose_step(const CoupledRun& run) {
       fastest = std::max(fastest, inlet.fastest_flow);
     }
   }
+  // Not suddenly longer: forces on what has just been caught settle first.
+  constexpr Real growth = 2;
+  const Real last = run.particles.state.step;
   const Real left = next_sample(run.particles) - run.time();
   const Real way = run.the_case.coupling.travel * std::min({h.x, h.y, h.z});
-  if (fastest * left <= way) {
-    return left;
-  }
-  return left / std::ceil(fastest * left / way - 1e-9);  // equal steps to the sample
+  Real longest = fastest * left > way ? way / fastest : left;
+  longest = last > 0 ? std::min(longest, growth * last) : longest;
+  return left / std::max(std::ceil(left / longest - 1e-9), 1.0);  // equal steps to the sample
 }
 
 void move_particles(CoupledRun& run, Real step) {

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MPL-2.0
+// Fluid and particles from the case file to the results.
+#include <csignal>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "cli/run_support.hpp"
+#include "core/atomic_file.hpp"
+
+namespace porefines {
+namespace {
+
+using test::number;
+using test::read_text;
+
+/// A slit with a suspension of neutrally buoyant fines coming in.
+const std::string slit_case = R"([run]
+end_time = "12 ms"
+[geometry]
+kind = "empty"
+size = ["48 um", "16 um", "16 um"]
+[grid]
+cell_size = "1 um"
+[fluid]
+density = "1050 kg/m^3"
+viscosity = "1 mPa s"
+[flow]
+inlet = { face = "x-", pressure = "20 Pa" }
+outlet = { face = "x+", pressure = "0 Pa" }
+walls = ["z-", "z+"]
+slip = ["y-", "y+"]
+[[particles]]
+name = "fines"
+diameter = "5 um"
+[[injection]]
+species = "fines"
+face = "x-"
+volume_fraction = 0.05
+[checkpoint]
+every = "0.3 s"
+[[output]]
+kind = "tracks"
+every = "1 ms"
+[[output]]
+kind = "summary"
+every = "1 ms"
+)";
+
+/// Two round pillars leave a throat of 8 um; the fine is larger, or smaller.
+const std::string throat_case = R"([run]
+end_time = "60 ms"
+[geometry]
+kind = "cylinders"
+source = "pillars.txt"
+size = ["40 um", "24 um", "12 um"]
+list_unit = "1 um"
+periodic_images = false
+[grid]
+cell_size = "1.3333333333333333 um"
+[fluid]
+viscosity = "1 mPa s"
+[flow]
+inlet = { face = "x-", pressure = "10 Pa" }
+outlet = { face = "x+", pressure = "0 Pa" }
+walls = ["z-", "z+"]
+slip = ["y-", "y+"]
+[[particles]]
+source = "fine.csv"
+[[output]]
+kind = "tracks"
+every = "2 ms"
+[[output]]
+kind = "summary"
+every = "2 ms"
+)";
+
+class Coupled : public ::testing::Test {
+ protected:
+  test::ProgramResult run(const std::string& content, const std::vector<std::string>& more = {},
+                          int ranks = 1) const {
+    write_file(folder_ / "case.toml", content);
+    write_file(folder_ / "pillars.txt", "20 0 8\n20 24 8\n");
+    std::vector<std::string> words{PF_BINARY, "run", "case.toml"};
+    words.insert(words.end(), more.begin(), more.end());
+    if (ranks > 1) {
+      words.insert(words.begin(), {"mpirun", "--oversubscribe", "-n", std::to_string(ranks)});
+    }
+    return test::run_in(folder_.path(), words);
+  }
+  void place(double diameter) const {
+    write_file(folder_ / "fine.csv",
+               fmt::format("x_m,y_m,z_m,diameter_m\n8e-6,12.3e-6,6.2e-6,{}\n", diameter));
+  }
+  [[nodiscard]] std::string summary(const std::string& out = "out") const {
+    return read_text(folder_ / (out + "/summary.json"));
+  }
+  test::Scratch folder_;
+};
+
+TEST_F(Coupled, suspension_goes_through_a_slit) {
+  const auto result = run(slit_case);
+  ASSERT_EQ(result.exit_code, 0) << result.output;
+  const std::string json = summary();
+  const double injected = number(json, "particles_injected");
+  EXPECT_GT(injected, 5);
+  EXPECT_GT(number(json, "particles_out"), 0);
+  EXPECT_EQ(injected, number(json, "particles_inside") + number(json, "particles_out"));
+  EXPECT_LT(number(json, "permeability_ratio"), 0.999);
+  EXPECT_GT(number(json, "permeability_ratio"), 0.7);
+  EXPECT_LE(number(json, "cycles_per_solve"), 7);
+  // What was asked for is what came in: 5 % of the flow, but for the particle that is still due.
+  const double volume = injected * 65.45e-18;
+  const double passed = number(json, "pore_volumes_injected") * 48e-6 * 256e-12;
+  EXPECT_NEAR(volume / passed, 0.05, 1.5 * 65.45e-18 / passed);
+}
+
+TEST_F(Coupled, goes_on_after_kill_bit_for_bit) {
+  const auto whole = run(slit_case, {"-o", "whole"});
+  ASSERT_EQ(whole.exit_code, 0) << whole.output;
+  test::Background running(folder_.path(), {PF_BINARY, "run", "case.toml", "-o", "out"});
+  ASSERT_TRUE(running.wait_for("checkpoint at 0.00")) << running.end().output;
+  running.send(SIGKILL);
+  running.end();
+  const auto resumed = run(slit_case, {"-o", "out", "--restart"});
+  ASSERT_EQ(resumed.exit_code, 0) << resumed.output;
+  for (const std::string table : {"tracks.csv", "series.csv"}) {
+    EXPECT_EQ(read_text(folder_ / ("out/" + table)), read_text(folder_ / ("whole/" + table)));
+  }
+}
+
+TEST_F(Coupled, same_on_two_ranks_to_the_solvers_tolerance) {
+  ASSERT_EQ(run(slit_case, {"-o", "one", "run.end_time=4 ms"}).exit_code, 0);
+  const auto two = run(slit_case, {"-o", "two", "run.end_time=4 ms"}, 2);
+  ASSERT_EQ(two.exit_code, 0) << two.output;
+  const std::string a = summary("one");
+  const std::string b = summary("two");
+  EXPECT_EQ(number(a, "particles_injected"), number(b, "particles_injected"));
+  for (const std::string key : {"permeability_ratio", "mean_speed_m_s", "sigma_x_m"}) {
+    EXPECT_NEAR(number(b, key) / number(a, key), 1, 1e-3) << key;
+  }
+}
+
+TEST_F(Coupled, a_fine_larger_than_the_throat_is_sieved_and_stays) {
+  place(9e-6);
+  const auto result = run(throat_case);
+  ASSERT_EQ(result.exit_code, 0) << result.output;
+  const std::string json = summary();
+  EXPECT_EQ(number(json, "particles_inside"), 1);
+  EXPECT_EQ(number(json, "wall_contacts"), 2);
+  EXPECT_LT(number(json, "permeability_ratio"), 0.8);
+  // At rest: a thousandth of the speed of the fluid in the open throat.
+  const double darcy_speed = number(json, "flow_rate_m3_s") / (24e-6 * 12e-6);
+  EXPECT_LT(number(json, "mean_speed_m_s"), 1e-3 * darcy_speed * 3);
+  EXPECT_LT(number(json, "max_overlap"), 0.01);
+}
+
+TEST_F(Coupled, a_fine_smaller_than_the_throat_passes) {
+  place(6e-6);
+  const auto result = run(throat_case);
+  ASSERT_EQ(result.exit_code, 0) << result.output;
+  EXPECT_EQ(number(summary(), "particles_out"), 1);
+  EXPECT_NEAR(number(summary(), "permeability_ratio"), 1, 1e-4);
+}
+
+TEST_F(Coupled, a_pump_keeps_its_rate) {
+  std::string content = slit_case;
+  content.replace(content.find("pressure = \"20 Pa\""), 18, "flow_rate = \"0.5 nL/s\"");
+  const auto result = run(content, {"run.end_time=4 ms"});
+  ASSERT_EQ(result.exit_code, 0) << result.output;
+  EXPECT_NEAR(number(summary(), "flow_rate_m3_s") / 0.5e-12, 1, 1e-3);
+}
+
+TEST_F(Coupled, limits_end_the_run_with_their_reason) {
+  const auto result = run(slit_case, {"run.max_pore_volumes=0.2"});
+  ASSERT_EQ(result.exit_code, 0) << result.output;
+  EXPECT_NE(summary().find("pore volumes have passed"), std::string::npos) << summary();
+}
+
+TEST_F(Coupled, wrong_input_is_refused) {
+  std::string content = slit_case;
+  content.replace(content.find("face = \"x-\"\nvolume"), 11, "face = \"z+\"");
+  const auto face = run(content);
+  EXPECT_EQ(face.exit_code, 2);
+  EXPECT_NE(face.output.find("is no opening of the flow"), std::string::npos) << face.output;
+  content = slit_case;
+  content.replace(content.find("end_time = \"12 ms\""), 18, "");
+  const auto endless = run(content);
+  EXPECT_EQ(endless.exit_code, 2);
+  EXPECT_NE(endless.output.find("end_time"), std::string::npos) << endless.output;
+}
+
+}  // namespace
+}  // namespace porefines
