@@ -89,7 +89,8 @@ Lubrication make(int first, int second, const Vec3& normal, Real gap, Real a, Re
           a,
           second < 0 ? 0 : b,
           6 * pi * reduced * reduced * missing_squeeze(g, second < 0),
-          pi * (second < 0 ? a : 2 * reduced) * log};
+          pi * (second < 0 ? a : 2 * reduced) * log,
+          gap < 0};
 }
 
 /// Cell of a table of places, wide enough that partners are in the same or a neighbouring one.
@@ -187,6 +188,20 @@ void add_lubrication(const Lubrication& gap, const std::vector<Six>& motion, Rea
   put(pull.force_first, pull.torque_first, factor, force[gap.first]);
   if (gap.second >= 0) {
     put(pull.force_second, pull.torque_second, factor, force[gap.second]);
+  }
+}
+
+void add_contact(const Lubrication& gap, const std::vector<Six>& motion, Real factor,
+                 std::vector<Six>& force) {
+  const Vec3 second = gap.second < 0 ? Vec3{} : linear(motion[gap.second]);
+  const Real closing = -dot(linear(motion[gap.first]) - second, gap.normal);
+  if (!gap.touching || closing <= 0) {
+    return;
+  }
+  const Vec3 push = gap.squeeze * closing * gap.normal;
+  put(push, {}, factor, force[gap.first]);
+  if (gap.second >= 0) {
+    put(Vec3{} - push, {}, factor, force[gap.second]);
   }
 }
 

@@ -41,7 +41,13 @@ struct Lubrication {
   Real radius_second = 0;
   Real squeeze = 0;  ///< 6 pi a_r^2 f
   Real shear = 0;    ///< pi a L
+  bool touching = false;
 };
+
+/// Squeeze force between two that touch and come nearer, times `factor`: added to both. It stands for
+/// their contact, as what presses them together is balanced by it until the contact force is told.
+void add_contact(const Lubrication& gap, const std::vector<Six>& motion, Real factor,
+                 std::vector<Six>& force);
 
 /// 1/g - s(g), from 1.25 cells on zero.
 [[nodiscard]] Real missing_squeeze(Real gap, bool wall);

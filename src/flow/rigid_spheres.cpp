@@ -298,6 +298,15 @@ std::vector<Six> RigidSpheres::take_drive(Packed<float>& b) const {
   return sums;
 }
 
+std::vector<Six> RigidSpheres::contact_forces() {
+  std::vector<Six> forces(set_.size(), Six{});
+  for (const Lubrication& gap : gaps_) {
+    add_contact(gap, motion_, 1 / set_.cell_volume(), forces);
+  }
+  set_.sum(forces);
+  return forces;
+}
+
 template void RigidSpheres::load_motion<float>(const float*);
 template void RigidSpheres::load_motion<double>(const double*);
 template void RigidSpheres::store_motion<float>(float*) const;

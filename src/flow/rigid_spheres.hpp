@@ -96,6 +96,8 @@ class RigidSpheres {
   [[nodiscard]] const std::vector<Six>& motion() const { return motion_; }
   /// Force of the fluid on each held ball after apply(), per volume of a cell; without the drive.
   [[nodiscard]] const std::vector<Six>& rows() const { return row_; }
+  /// Of touching neighbours on each held ball, by add_contact(), per volume of a cell.
+  [[nodiscard]] std::vector<Six> contact_forces();
 
  private:
   [[nodiscard]] const std::vector<SphereCut>& cuts() const { return cover_.cuts(); }

@@ -37,6 +37,7 @@ struct SphereMotion {
   Vec3 spin;      ///< [rad/s]
   Vec3 force;     ///< [N] by the fluid
   Vec3 torque;    ///< [N m]
+  Vec3 contact;   ///< [N] part of `force`: squeeze of touching neighbours that come nearer
 };
 
 /// Steady Stokes flow through a fixed geometry, with rigid spheres in it.
@@ -145,6 +146,7 @@ class StokesSolver {
   std::vector<WallGap> walls_;
   Real roughness_ = 0;
   std::vector<std::pair<std::uint64_t, Vec3>> held_;  ///< that the coarse levels know, of this rank
+  std::vector<Six> contact_on_;                       ///< squeeze of touching neighbours, scaled
   std::vector<Six> drive_on_;  ///< this solve's drive on each held ball, scaled
 };
 

@@ -218,6 +218,7 @@ SolveReport StokesSolver::solve_suspension(const Drive& drive, SolveOptions opti
   operator_->load_unknowns(x_);
   Packed<double> rows(operator_->size());
   operator_->apply(rows);  // motions and forces of what was found
+  contact_on_ = spheres_->contact_forces();
   return report;
 }
 
@@ -232,9 +233,14 @@ std::vector<SphereMotion> StokesSolver::sphere_motions() const {
     for (std::size_t x = 0; x < 6; ++x) {
       f[x] += drive_on_[q][x];
     }
-    out.push_back({velocity_unit * Vec3{v[0], v[1], v[2]},
-                   velocity_unit / h * Vec3{v[3], v[4], v[5]}, force_unit * Vec3{f[0], f[1], f[2]},
-                   force_unit * h * Vec3{f[3], f[4], f[5]}});
+    const Six& c = contact_on_[q];
+    SphereMotion m;
+    m.velocity = velocity_unit * Vec3{v[0], v[1], v[2]};
+    m.spin = velocity_unit / h * Vec3{v[3], v[4], v[5]};
+    m.force = force_unit * Vec3{f[0], f[1], f[2]};
+    m.torque = force_unit * h * Vec3{f[3], f[4], f[5]};
+    m.contact = force_unit * Vec3{c[0], c[1], c[2]};
+    out.push_back(m);
   }
   return out;
 }

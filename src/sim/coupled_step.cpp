@@ -73,6 +73,8 @@ void take_motions(CoupledRun& run) {
     const Real a = p.radius[i];
     c.free_velocity[i] = motions[i].velocity;
     c.free_spin[i] = motions[i].spin;
+    c.told_force[i] +=
+        motions[i].contact;  // the solve held it so: it is the contact's to take over
     c.resistance[i] = 6 * pi * mu * a;
     c.spin_resistance[i] = 8 * pi * mu * a * a * a;
     if (c.drift_step[i] == 0) {  // newly come: it moves as the flow says until it has touched
