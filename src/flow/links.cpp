@@ -258,13 +258,20 @@ int open_faces(const Level& level, const Int3& cell) {
 /// Closes the only open face of every owned cell that has just one; returns how many.
 /// A dead end across a rank border is closed by the cell's owner on its side and by the neighbour
 /// through its own copy of the cell, one layer into the ghosts.
-Index close_single_faces(Level& level, Friction& friction) {
+Index close_single_faces(Level& level, const Boundaries& boundaries, Friction& friction) {
   const grid::Block& b = level.block;
   Index closed = 0;
-  const auto reach = [&b](int a) { return b.ghost[a] > 1 ? 1 : 0; };
-  for (int k = -reach(2); k < b.n[2] + reach(2); ++k) {
-    for (int j = -reach(1); j < b.n[1] + reach(1); ++j) {
-      for (int i = -reach(0); i < b.n[0] + reach(0); ++i) {
+  // Never beyond the box: there every opening would be the only face of the cell behind it.
+  const auto first = [&](int a) {
+    return b.ghost[a] > 1 && (boundaries.periodic(a) || b.start[a] > 0) ? -1 : 0;
+  };
+  const auto last = [&](int a) {
+    const bool more = boundaries.periodic(a) || b.start[a] + b.n[a] < b.global[a];
+    return b.n[a] + (b.ghost[a] > 1 && more ? 1 : 0);
+  };
+  for (int k = first(2); k < last(2); ++k) {
+    for (int j = first(1); j < last(1); ++j) {
+      for (int i = first(0); i < last(0); ++i) {
         if (open_faces(level, {i, j, k}) != 1) {
           continue;
         }
@@ -286,14 +293,15 @@ Index close_single_faces(Level& level, Friction& friction) {
 
 }  // namespace
 
-Index prune_dead_ends(const par::Communicator& comm, Level& finest, Friction& friction) {
+Index prune_dead_ends(const par::Communicator& comm, Level& finest, const Boundaries& boundaries,
+                      Friction& friction) {
   const std::array<float*, 3> fields{finest.inverse_diagonal[0].data(),
                                      finest.inverse_diagonal[1].data(),
                                      finest.inverse_diagonal[2].data()};
   Index total = 0;
   while (true) {
     finest.halo.exchange(fields, sweep_depth);
-    const Index closed = comm.sum(close_single_faces(finest, friction));
+    const Index closed = comm.sum(close_single_faces(finest, boundaries, friction));
     if (closed == 0) {
       return total;
     }

@@ -48,6 +48,7 @@ Friction link_to_voxels(Level& finest, const Boundaries& boundaries, const IsPor
 /// diverge where a grain lies flat on a grid plane. Repeated until no dead end is left.
 /// Call before finish_level; collective.
 /// @return  faces taken out, over all ranks
-Index prune_dead_ends(const par::Communicator& comm, Level& finest, Friction& friction);
+Index prune_dead_ends(const par::Communicator& comm, Level& finest, const Boundaries& boundaries,
+                      Friction& friction);
 
 }  // namespace porefines::flow

@@ -28,9 +28,10 @@ void StokesSolver::set_voxels(const IsPore& is_pore) {
 
 void StokesSolver::finish_setup(Friction friction) {
   friction_ = std::make_unique<Friction>(std::move(friction));
-  prune_dead_ends(comm_, hierarchy_.finest(), *friction_);
+  prune_dead_ends(comm_, hierarchy_.finest(), boundaries_, *friction_);
   close_bridges(hierarchy_.finest(), boundaries_, *friction_);
-  prune_dead_ends(comm_, hierarchy_.finest(), *friction_);  // ghosts; what was left of pockets
+  prune_dead_ends(comm_, hierarchy_.finest(), boundaries_,
+                  *friction_);  // ghosts; what was left of pockets
   finish_level(hierarchy_.finest());
   hierarchy_.build();
   operator_ = std::make_unique<Operator>(hierarchy_.finest(), *friction_);

@@ -49,6 +49,32 @@ TEST(Ranks, odd_box_between_pressures) {
   expect_same({67, 45, 67}, b, spheres, drive);
 }
 
+/// Wherever the box is cut: an opening on a cut axis is the only face of the ghost cell behind it.
+TEST(Ranks, openings_on_every_cut_axis) {
+  const par::Communicator comm;
+  for (int axis = 0; axis < 3; ++axis) {
+    Boundaries b;
+    b.kind.fill(FaceKind::wall);
+    b.kind[2 * axis] = b.kind[2 * axis + 1] = FaceKind::pressure;
+    Int3 cells{12, 12, 12};
+    cells[axis] = 9 * comm.size();
+    Int3 ranks{1, 1, 1};
+    ranks[axis] = comm.size();
+    par::LayerWork work;
+    for (int a = 0; a < 3; ++a) {
+      work[a].assign(static_cast<std::size_t>(cells[a]), 1.0);
+    }
+    flow::StokesSolver solver(comm, par::decompose(cells, comm.size(), work, ranks), {1, 1, 1}, b,
+                              1.0);
+    solver.set_surface([](const Vec3&) { return 1e3; });
+    flow::Drive drive;
+    drive.face_value[2 * axis] = cells[axis];
+    EXPECT_TRUE(solver.solve(drive, {}).converged);
+    // A square duct: k = 0.0351442537 side^2, less the error of 12 cells (references.md A3).
+    EXPECT_NEAR(solver.superficial_velocity()[axis] / (0.0351442537 * 144), 1, 0.01) << axis;
+  }
+}
+
 TEST(Ranks, same_number_same_bits) {
   const auto spheres = sphere_lattice(simple_cubic, 0.4);
   const par::Communicator comm;
