@@ -69,7 +69,7 @@ Snapshot System::save() const {
   s.particles = particles_;
   s.particles.resize(particles_.owned);
   s.walls = walls_.surfaces();
-  s.skin = skin_, s.moved = moved_;
+  s.skin = skin_, s.moved = moved_, s.listed = lists_hold_;
   s.spent_among = pairs_.spent(), s.spent_on_walls = walls_.spent();
   s.largest_overlap = std::max(pairs_.largest_overlap(), walls_.largest_overlap());
   s.contacts = lists_hold_ ? collected_contacts() : kept_;
@@ -111,7 +111,7 @@ void System::restore(Snapshot snapshot, bool same_ranks) {
   moves_ = true;
   lists_hold_ = false;
   forces_hold_ = true;
-  if (same_ranks) {
+  if (same_ranks && snapshot.listed) {
     build_lists(false);
   }
 }

@@ -124,7 +124,8 @@ void put_snapshot(io::Checkpoint& checkpoint, const dem::Snapshot& snapshot) {
                   6);
   checkpoint.rows("largest_overlap", std::vector<Real>{snapshot.largest_overlap});
   checkpoint.whole("walls_places", places_of(snapshot.walls));
-  checkpoint.whole("lists", std::vector<Real>{snapshot.skin, snapshot.moved});
+  checkpoint.whole("lists",
+                   std::vector<Real>{snapshot.skin, snapshot.moved, snapshot.listed ? 1.0 : 0.0});
   checkpoint.whole("creeps", std::vector<std::uint8_t>{
                                  snapshot.particles.creeps ? std::uint8_t{1} : std::uint8_t{0}});
 }
@@ -146,7 +147,7 @@ dem::Snapshot get_snapshot(const io::CheckpointReader& reader, dem::Surfaces wal
     snapshot.spent_on_walls.add({spent[at + 3], spent[at + 4], spent[at + 5]}, 1);
   }
   const auto lists = reader.whole<Real>("lists");
-  snapshot.skin = lists.at(0), snapshot.moved = lists.at(1);
+  snapshot.skin = lists.at(0), snapshot.moved = lists.at(1), snapshot.listed = lists.at(2) != 0;
   put_back(reader, walls);
   snapshot.walls = std::move(walls);
   return snapshot;

@@ -17,7 +17,7 @@ using test::read_text;
 
 /// A slit with a suspension of neutrally buoyant fines coming in.
 const std::string slit_case = R"([run]
-end_time = "12 ms"
+end_time = "6 ms"
 [geometry]
 kind = "empty"
 size = ["48 um", "16 um", "16 um"]
@@ -150,9 +150,7 @@ TEST_F(Coupled, a_fine_larger_than_the_throat_is_sieved_and_stays) {
   EXPECT_EQ(number(json, "particles_inside"), 1);
   EXPECT_EQ(number(json, "wall_contacts"), 2);
   EXPECT_LT(number(json, "permeability_ratio"), 0.8);
-  // At rest: a thousandth of the speed of the fluid in the open throat.
-  const double darcy_speed = number(json, "flow_rate_m3_s") / (24e-6 * 12e-6);
-  EXPECT_LT(number(json, "mean_speed_m_s"), 1e-3 * darcy_speed * 3);
+  EXPECT_LT(number(json, "mean_speed_m_s"), 1e-3 * 1.3e-3) << "a thousandth of its speed before";
   EXPECT_LT(number(json, "max_overlap"), 0.01);
 }
 
@@ -185,7 +183,7 @@ TEST_F(Coupled, wrong_input_is_refused) {
   EXPECT_EQ(face.exit_code, 2);
   EXPECT_NE(face.output.find("is no opening of the flow"), std::string::npos) << face.output;
   content = slit_case;
-  content.replace(content.find("end_time = \"12 ms\""), 18, "");
+  content.replace(content.find("end_time = \"12 ms\""), 17, "");
   const auto endless = run(content);
   EXPECT_EQ(endless.exit_code, 2);
   EXPECT_NE(endless.output.find("end_time"), std::string::npos) << endless.output;
