@@ -60,6 +60,7 @@ struct Snapshot {
   Surfaces walls;
   Real skin = 0;             ///< [m]
   Real moved = 0;            ///< [m] farthest way since the lists were built
+  bool listed = true;        ///< there were lists: not right after particles came or went
   Spent spent_among;         ///< [J] by contacts of particles, on this rank
   Spent spent_on_walls;      ///< [J]
   Real largest_overlap = 0;  ///< System::largest_overlap, of this rank

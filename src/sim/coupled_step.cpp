@@ -126,6 +126,56 @@ void solve_once(CoupledRun& run, const flow::Drive& drive) {
   }
 }
 
+/// Inlets follow the flow: where and how fast particles enter, and how many.
+void feed_inlets(CoupledRun& run) {
+  const Domain& domain = run.domain;
+  for (std::size_t k = 0; k < run.particles.inlets.size(); ++k) {
+    dem::Inlet& inlet = run.particles.inlets[k];
+    const config::Injection& asked = run.the_case.injection[k];
+    const int axis = axis_of(inlet.face);
+    const int a = axis == 0 ? 1 : 0;
+    const int b = axis == 2 ? 1 : 2;
+    const bool given = domain.boundaries.at(axis, is_high(inlet.face)) == flow::FaceKind::velocity;
+    const int plane = is_high(inlet.face) ? domain.cells[axis] - (given ? 1 : 0) : (given ? 1 : 0);
+    const auto profile =
+        std::make_shared<const std::vector<Real>>(run.solver.plane_velocities(axis, plane));
+    const Vec3 corner = domain.origin();
+    const Vec3 spacing = domain.spacing;
+    const Int3 cells = domain.cells;
+    inlet.flow = [=](const Vec3& x) {
+      const auto cell = [&](int t) {
+        const int i = static_cast<int>(std::floor((x[t] - corner[t]) / spacing[t]));
+        return static_cast<std::size_t>(std::clamp(i, 0, cells[t] - 1));
+      };
+      Vec3 v;
+      v[axis] = (*profile)[cell(b) * static_cast<std::size_t>(cells[a]) + cell(a)];
+      return v;
+    };
+    const Real inwards = is_high(inlet.face) ? -1 : 1;
+    Real rate = 0;
+    inlet.fastest_flow = 0;
+    for (int j = 0; j < cells[b]; ++j) {
+      for (int i = 0; i < cells[a]; ++i) {
+        const Real y = corner[a] + (i + 0.5) * spacing[a];
+        const Real z = corner[b] + (j + 0.5) * spacing[b];
+        if (y < inlet.low[a] || y > inlet.high[a] || z < inlet.low[b] || z > inlet.high[b]) {
+          continue;
+        }
+        const Real v = inwards * (*profile)[static_cast<std::size_t>(j) * cells[a] + i];
+        rate += std::max(v, 0.0) * spacing[a] * spacing[b];
+        inlet.fastest_flow = std::max(inlet.fastest_flow, v);
+      }
+    }
+    if (asked.kind == config::Concentration::volume_fraction) {
+      inlet.rate = asked.value * rate;
+    } else if (asked.kind == config::Concentration::mass_fraction) {
+      const Real c = asked.value;
+      const Real share = c / inlet.density;
+      inlet.rate = rate * share / (share + (1 - c) / run.the_case.fluid.density);
+    }
+  }
+}
+
 }  // namespace
 
 void solve_flow(CoupledRun& run) {
@@ -145,6 +195,7 @@ void solve_flow(CoupledRun& run) {
     const Real ratio = run.wanted_rate / run.now.flow_rate;
     run.state.drive_factor *= ratio > 0 ? std::min(ratio, 2.0) : 2.0;
   }
+  feed_inlets(run);
 }
 
 Real choose_step(const CoupledRun& run) {
@@ -203,63 +254,12 @@ Real particle_volume(const CoupledRun& run) {
   return run.comm().sum(volume);
 }
 
-/// Inlets follow the flow: where and how fast particles enter, and how many.
-void feed_inlets(CoupledRun& run) {
-  const Domain& domain = run.domain;
-  for (std::size_t k = 0; k < run.particles.inlets.size(); ++k) {
-    dem::Inlet& inlet = run.particles.inlets[k];
-    const config::Injection& asked = run.the_case.injection[k];
-    const int axis = axis_of(inlet.face);
-    const int a = axis == 0 ? 1 : 0;
-    const int b = axis == 2 ? 1 : 2;
-    const bool given = domain.boundaries.at(axis, is_high(inlet.face)) == flow::FaceKind::velocity;
-    const int plane = is_high(inlet.face) ? domain.cells[axis] - (given ? 1 : 0) : (given ? 1 : 0);
-    const auto profile =
-        std::make_shared<const std::vector<Real>>(run.solver.plane_velocities(axis, plane));
-    const Vec3 corner = domain.origin();
-    const Vec3 spacing = domain.spacing;
-    const Int3 cells = domain.cells;
-    inlet.flow = [=](const Vec3& x) {
-      const auto cell = [&](int t) {
-        const int i = static_cast<int>(std::floor((x[t] - corner[t]) / spacing[t]));
-        return static_cast<std::size_t>(std::clamp(i, 0, cells[t] - 1));
-      };
-      Vec3 v;
-      v[axis] = (*profile)[cell(b) * static_cast<std::size_t>(cells[a]) + cell(a)];
-      return v;
-    };
-    const Real inwards = is_high(inlet.face) ? -1 : 1;
-    Real rate = 0;
-    inlet.fastest_flow = 0;
-    for (int j = 0; j < cells[b]; ++j) {
-      for (int i = 0; i < cells[a]; ++i) {
-        const Real y = corner[a] + (i + 0.5) * spacing[a];
-        const Real z = corner[b] + (j + 0.5) * spacing[b];
-        if (y < inlet.low[a] || y > inlet.high[a] || z < inlet.low[b] || z > inlet.high[b]) {
-          continue;
-        }
-        const Real v = inwards * (*profile)[static_cast<std::size_t>(j) * cells[a] + i];
-        rate += std::max(v, 0.0) * spacing[a] * spacing[b];
-        inlet.fastest_flow = std::max(inlet.fastest_flow, v);
-      }
-    }
-    if (asked.kind == config::Concentration::volume_fraction) {
-      inlet.rate = asked.value * rate;
-    } else if (asked.kind == config::Concentration::mass_fraction) {
-      const Real c = asked.value;
-      const Real share = c / inlet.density;
-      inlet.rate = rate * share / (share + (1 - c) / run.the_case.fluid.density);
-    }
-  }
-}
-
 }  // namespace
 
 std::string pass_openings(CoupledRun& run, Real step) {
   const Real before = particle_volume(run);
   const std::string left = take_out(run.particles);
   const Real between = particle_volume(run);
-  feed_inlets(run);
   inject_due(run.particles, run.time() - step, run.time());
   run.state.volume_out += before - between;
   run.state.volume_in += particle_volume(run) - between;

@@ -183,7 +183,7 @@ TEST_F(Coupled, wrong_input_is_refused) {
   EXPECT_EQ(face.exit_code, 2);
   EXPECT_NE(face.output.find("is no opening of the flow"), std::string::npos) << face.output;
   content = slit_case;
-  content.replace(content.find("end_time = \"12 ms\""), 17, "");
+  content.replace(content.find("end_time = \"6 ms\""), 17, "");
   const auto endless = run(content);
   EXPECT_EQ(endless.exit_code, 2);
   EXPECT_NE(endless.output.find("end_time"), std::string::npos) << endless.output;
