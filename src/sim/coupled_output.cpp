@@ -3,6 +3,9 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
+
+#include "sim/dry_results.hpp"
 #include "sim/results.hpp"
 #include "sim/session.hpp"
 #include "sim/tracks.hpp"
@@ -138,6 +141,11 @@ void write_coupled(CoupledRun& run, CoupledSink& sink, const std::string& left,
       is_due(run.the_case, config::OutputKind::fields, run.state.fields_written, run.time())) {
     write_step_fields(run, sink, solid);
     ++run.state.fields_written;
+  }
+  if (is_due(run.the_case, config::OutputKind::pictures, state.drawn, run.time())) {
+    draw_dry(fmt::format("{}/particles_{:05}.png", sink.folder, state.drawn), run.particles,
+             sink.provenance);
+    ++state.drawn;
   }
 }
 

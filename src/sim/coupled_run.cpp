@@ -10,6 +10,7 @@
 #include "core/signals.hpp"
 #include "sim/coupled_checkpoint.hpp"
 #include "sim/coupled_output.hpp"
+#include "sim/dry_results.hpp"
 #include "sim/grains.hpp"
 #include "sim/pictures.hpp"
 #include "sim/prepare.hpp"
@@ -127,6 +128,7 @@ void draw_end(CoupledRun& run, const std::string& folder, const geom::Sample& sa
   if (config::find_output(run.the_case, config::OutputKind::pictures) == nullptr) {
     return;
   }
+  draw_dry(folder + "/particles.png", run.particles, provenance);
   flow::StokesSolver::CellFields fields = run.solver.cell_fields();
   to_case_units(fields, 1, run.offset);
   draw_fields(folder, run.the_case, sample, run.domain, fields, solid, run.solver.block(),
