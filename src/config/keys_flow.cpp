@@ -162,10 +162,8 @@ std::vector<Key> flow_keys() {
   keys.push_back(quantity_key("flow.max_pressure", &Case::flow, &Flow::max_pressure, kind::pressure,
                               above_zero, "no limit",
                               "drop at which a run with a given flow rate ends: the pump's limit"));
-  keys.push_back(
-      choice_key("coupling.method", &Case::coupling, &Coupling::method, {"implicit", "projection"},
-                 "`implicit`: fluid and rigid particles in one solve; `projection`: solve, "
-                 "project the particles rigid, correct: only to show its error"));
+  keys.push_back(choice_key("coupling.method", &Case::coupling, &Coupling::method, {"implicit"},
+                            "fluid and rigid particles in one solve"));
   keys.push_back(quantity_key("coupling.tolerance", &Case::coupling, &Coupling::tolerance,
                               kind::number, Range{1e-9, 1e-2}, "",
                               "relative residual of the solves after the first"));

@@ -258,7 +258,7 @@ void check_steady(const Case& subject, const Node& given) {
     fail(place_of(given, "injection"), "has nothing to inject", "add a table [[particles]]");
   }
   for (const std::string path : {"run.end_time", "run.max_wall", "run.max_pore_volumes",
-                                 "run.min_permeability_ratio", "flow.max_pressure", "coupling"}) {
+                                 "run.min_permeability_ratio", "flow.max_pressure"}) {
     if (const Node* node = find(given, path)) {
       fail(node->place, "has no meaning: without particles the steady flow is found in one go");
     }
@@ -267,6 +267,7 @@ void check_steady(const Case& subject, const Node& given) {
     fail(place_of(given, "box"), "has no meaning beside a flow, which says what the faces are");
   }
   for (const auto& [path, said] : {std::pair{"gravity", subject.gravity != Triple{}},
+                                   {"coupling", !(subject.coupling == Coupling{})},
                                    {"contact", !(subject.contact == Contact{})},
                                    {"surface", !subject.surface.empty()}}) {
     if (said) {

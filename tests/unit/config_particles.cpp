@@ -159,9 +159,9 @@ const Wrong wrongs[] = {
      "13: [[surface]] radius: has no meaning for this kind"},
     {"[[surface]]\nkind = \"plane\"\nnormal = [0, 0, 0]\n",
      "13: [[surface]] normal: has no direction"},
-    {"[flow]\nperiodic = [\"x\"]\npressure_gradient = \"1 Pa/m\"\n[grid]\ncells = [4, 4, 4]\n",
-     "7: [[particles]]: particles in a flow are not available in this version\n"
-     "without [flow] they move dry"},
+    {"[box]\nopen = [\"x+\"]\n[flow]\nperiodic = [\"x\"]\npressure_gradient = \"1 Pa/m\"\n"
+     "[grid]\ncells = [4, 4, 4]\n",
+     "11: [box]: has no meaning beside a flow, which says what the faces are"},
     {"[contact]\nintegrator = \"overdamped\"\n",
      "12: [contact] integrator: \"overdamped\" needs a liquid that resists\n"
      "\"auto\" or \"newton-euler\" without a flow"},
