@@ -258,7 +258,7 @@ Real particle_volume(const CoupledRun& run) {
 
 std::string pass_openings(CoupledRun& run, Real step) {
   const Real before = particle_volume(run);
-  const std::string left = take_out(run.particles);
+  std::string left = take_out(run.particles);
   const Real between = particle_volume(run);
   inject_due(run.particles, run.time() - step, run.time());
   run.state.volume_out += before - between;
@@ -272,9 +272,9 @@ void look_at_limits(CoupledRun& run) {
   constexpr Real clogged =
       1e-4;  // of the clean permeability: what seeps through the pores of a clog
   const config::Run& limits = run.the_case.run;
-  const auto stop = [&](std::string reason) {
+  const auto stop = [&](const std::string& reason) {
     run.state.stopped = true;
-    run.state.reason = std::move(reason);
+    run.state.reason = reason;
   };
   if (limits.max_pore_volumes > 0 && run.pore_volumes() >= limits.max_pore_volumes) {
     stop(fmt::format("{:.4g} pore volumes have passed", run.pore_volumes()));
