@@ -2,9 +2,8 @@
 #include "analysis/gather_sample.hpp"
 
 #include <algorithm>
-#include <numeric>
 
-#include <mpi.h>
+#include "par/gather.hpp"
 
 namespace porefines::analysis {
 namespace {
@@ -54,20 +53,7 @@ RunSample OwnedSample::view() const {
 }
 
 OwnedSample gather_sample(const OwnedSample& mine, const par::Communicator& comm) {
-  const std::vector<Row> rows = rows_of(mine);
-  MPI_Datatype type = MPI_DATATYPE_NULL;  // counts stay far below 2^31 in rows
-  MPI_Type_contiguous(static_cast<int>(sizeof(Row)), MPI_BYTE, &type);
-  MPI_Type_commit(&type);
-  const int count = static_cast<int>(rows.size());
-  std::vector<int> counts(static_cast<std::size_t>(comm.size()));
-  MPI_Gather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, comm.handle());
-  std::vector<int> starts(counts.size(), 0);
-  std::partial_sum(counts.begin(), counts.end() - 1, starts.begin() + 1);
-  std::vector<Row> all(comm.is_root() ? static_cast<std::size_t>(starts.back() + counts.back())
-                                      : 0);
-  MPI_Gatherv(rows.data(), count, type, all.data(), counts.data(), starts.data(), type, 0,
-              comm.handle());
-  MPI_Type_free(&type);
+  std::vector<Row> all = par::gather(comm, rows_of(mine));
   std::sort(all.begin(), all.end(), [](const Row& a, const Row& b) { return a.id < b.id; });
   OwnedSample out;
   out.scalars = mine.scalars;

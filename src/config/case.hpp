@@ -108,7 +108,7 @@ struct Flow {
   friend bool operator==(const Flow&, const Flow&) = default;
 };
 
-enum class CouplingMethod { implicit, projection };
+enum class CouplingMethod { implicit };
 
 /// [coupling]: particles in a flow.
 struct Coupling {

@@ -7,6 +7,8 @@
 
 #include <mpi.h>
 
+#include "dem/packing.hpp"
+
 namespace porefines::dem {
 namespace {
 
@@ -29,10 +31,6 @@ struct Candidate {
   std::array<char, tries_each> free{};    ///< of walls and grains
 };
 
-Real volume(Real radius) {
-  return 4.0 / 3 * std::numbers::pi * radius * radius * radius;
-}
-
 Vec3 inwards(BoxFace face) {
   Vec3 n;
   n[axis_of(face)] = is_high(face) ? -1 : 1;
@@ -51,7 +49,7 @@ std::vector<Candidate> due_candidates(const Inlet& inlet, const InletState& stat
   Real entered = state.entered;
   for (std::uint64_t k = state.particles; static_cast<Index>(due.size()) < most_at_once; ++k) {
     const Real radius = radius_of(inlet, k);
-    entered += inlet.by_number ? 1 : volume(radius);
+    entered += inlet.by_number ? 1 : sphere_volume(radius);
     if (entered > state.due * (1 + 1e-12)) {
       break;
     }
@@ -212,7 +210,7 @@ std::vector<Body> let_in(System& system, const par::Communicator& comm, const In
     body.density = inlet.density;
     body.species = inlet.species;
     bodies.push_back(body);
-    state.entered += inlet.by_number ? 1 : volume(candidate.radius);
+    state.entered += inlet.by_number ? 1 : sphere_volume(candidate.radius);
     state.tries = 0;
   }
   state.particles += bodies.size();

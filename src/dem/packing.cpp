@@ -63,6 +63,10 @@ Packing result(const Relaxation& at_rest, Real scale) {
 
 }  // namespace
 
+Real sphere_volume(Real radius) {
+  return 4.0 / 3 * std::numbers::pi * radius * radius * radius;
+}
+
 Real sphere_volume(const std::vector<Real>& radius) {
   Real sum = 0;
   for (const Real r : radius) {

@@ -58,5 +58,6 @@ inline constexpr Real close_packing = 0.639;
 
 /// [m^3] of the spheres.
 [[nodiscard]] Real sphere_volume(const std::vector<Real>& radius);
+[[nodiscard]] Real sphere_volume(Real radius);
 
 }  // namespace porefines::dem

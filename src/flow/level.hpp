@@ -59,6 +59,17 @@ struct Level {
         std::array<std::vector<Real>, 3> cell_widths, const Boundaries& boundaries, int ghost_depth,
         bool finest);
 
+  /// Does this rank own an unknown? component 3: the pressure of a cell.
+  [[nodiscard]] bool owns(int component, const Int3& index) const {
+    for (int a = 0; a < 3; ++a) {
+      const auto& owned = a == component ? axis[a].owned_face : axis[a].owned_cell;
+      if (owned[index[a] + axis[a].offset] == 0) {
+        return false;
+      }
+    }
+    return true;
+  }
+
   [[nodiscard]] bool weighted() const { return !weight[0].empty(); }
   /// W M at a face.
   [[nodiscard]] Real weighted_mobility(int component, std::ptrdiff_t face) const {

@@ -12,8 +12,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr Real widest_squeeze = 1.25;  ///< cells
-constexpr Real shear_length = 0.373;   ///< cells
+constexpr Real shear_length = 0.373;  ///< cells
 
 /// s(g): what the grid resolves of 1/g. Means of D = 6, 8 and 12; between two spheres also over
 /// places and directions, which scatter by a quarter of 1/g below half a cell.
@@ -93,16 +92,41 @@ Lubrication make(int first, int second, const Vec3& normal, Real gap, Real a, Re
           gap < 0};
 }
 
-/// Cell of a table of places, wide enough that partners are in the same or a neighbouring one.
-std::int64_t key_of(const Int3& c) {
+/// Calls visit(later image, earlier image) for pairs whose surfaces may be within lubrication_range:
+/// those in the same or in neighbouring cells of a table that is wide enough.
+template <typename Visit>
+void for_near_pairs(const SphereSet& set, const Visit& visit) {
   constexpr std::int64_t span = 1 << 20;
-  return (c[0] + span / 2) + span * ((c[1] + span / 2) + span * (c[2] + span / 2));
+  Real largest = 0;
+  for (const Ball& ball : set.balls()) {
+    largest = std::max(largest, ball.body);
+  }
+  const Real width = 2 * largest + lubrication_range;
+  const auto key_of = [&](const Vec3& x, std::int64_t i, std::int64_t j, std::int64_t k) {
+    const auto cell = [&](Real c) { return static_cast<std::int64_t>(std::floor(c / width)); };
+    return (cell(x.x) + i + span / 2) +
+           span * ((cell(x.y) + j + span / 2) + span * (cell(x.z) + k + span / 2));
+  };
+  std::unordered_map<std::int64_t, std::vector<const BallImage*>> table;
+  for (const BallImage& image : set.images()) {
+    for (int near = 0; near < 27; ++near) {
+      const auto found =
+          table.find(key_of(image.centre, near % 3 - 1, near / 3 % 3 - 1, near / 9 - 1));
+      if (found == table.end()) {
+        continue;
+      }
+      for (const BallImage* other : found->second) {
+        visit(image, *other);
+      }
+    }
+    table[key_of(image.centre, 0, 0, 0)].push_back(&image);
+  }
 }
 
 }  // namespace
 
 Real missing_squeeze(Real gap, bool wall) {
-  if (gap >= widest_squeeze) {
+  if (gap >= lubrication_range) {
     return 0;
   }
   std::size_t k = 1;
@@ -121,23 +145,13 @@ std::vector<Lubrication> find_lubrication(const SphereSet& set, const grid::Bloc
                                           std::span<const WallGap> walls, Real roughness) {
   std::vector<Lubrication> out;
   for (const WallGap& q : walls) {
-    if (q.gap < widest_squeeze) {
+    if (q.gap < lubrication_range) {
       out.push_back(make(static_cast<int>(q.sphere), -1, q.normal, q.gap,
                          set.balls()[q.sphere].body, 0, roughness));
       out.back().squeeze *= q.share;
       out.back().shear *= q.share;
     }
   }
-  Real largest = 0;
-  for (const Ball& ball : set.balls()) {
-    largest = std::max(largest, ball.body);
-  }
-  const Real width = 2 * largest + widest_squeeze;
-  const auto cell_of = [&](const Vec3& x) {
-    return Int3{static_cast<int>(std::floor(x.x / width)),
-                static_cast<int>(std::floor(x.y / width)),
-                static_cast<int>(std::floor(x.z / width))};
-  };
   const auto counted = [&](const Vec3& x) {
     for (int a = 0; a < 3; ++a) {
       const Real i = x[a] / set.spacing()[a] - block.start[a];
@@ -147,38 +161,20 @@ std::vector<Lubrication> find_lubrication(const SphereSet& set, const grid::Bloc
     }
     return true;
   };
-  std::unordered_map<std::int64_t, std::vector<int>> table;
-  const auto& images = set.images();
-  for (int i = 0; i < static_cast<int>(images.size()); ++i) {
-    const BallImage& p = images[i];
-    const Int3 c = cell_of(p.centre);
-    for (int k = -1; k <= 1; ++k) {
-      for (int j = -1; j <= 1; ++j) {
-        for (int l = -1; l <= 1; ++l) {
-          const auto found = table.find(key_of({c[0] + l, c[1] + j, c[2] + k}));
-          if (found == table.end()) {
-            continue;
-          }
-          for (const int other : found->second) {
-            const BallImage& q = images[other];
-            const Real a = set.balls()[p.ball].body;
-            const Real b = set.balls()[q.ball].body;
-            const Vec3 d = p.centre - q.centre;
-            const Real distance = norm(d);
-            const Real gap = distance - a - b;
-            if (p.ball == q.ball || gap >= widest_squeeze || distance == 0) {
-              continue;
-            }
-            const Vec3 n = d / distance;
-            if (counted(q.centre + (b + gap / 2) * n)) {
-              out.push_back(make(p.ball, q.ball, n, gap, a, b, roughness));
-            }
-          }
-        }
-      }
+  for_near_pairs(set, [&](const BallImage& p, const BallImage& q) {
+    const Real a = set.balls()[p.ball].body;
+    const Real b = set.balls()[q.ball].body;
+    const Vec3 d = p.centre - q.centre;
+    const Real distance = norm(d);
+    const Real gap = distance - a - b;
+    if (p.ball == q.ball || gap >= lubrication_range || distance == 0) {
+      return;
     }
-    table[key_of(c)].push_back(i);
-  }
+    const Vec3 n = d / distance;
+    if (counted(q.centre + (b + gap / 2) * n)) {
+      out.push_back(make(p.ball, q.ball, n, gap, a, b, roughness));
+    }
+  });
   return out;
 }
 

@@ -8,6 +8,8 @@
 
 namespace porefines::flow {
 
+inline constexpr Real lubrication_range = 1.25;  ///< [cells] gaps beyond it the grid resolves
+
 /// The gap between a sphere and the wall or grain next to it.
 struct WallGap {
   std::size_t sphere = 0;  ///< in the list of this rank's spheres

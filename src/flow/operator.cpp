@@ -150,16 +150,9 @@ void Operator::residual(const Packed<float>& b, const Packed<double>& x, Packed<
 }
 
 bool Operator::owned_and_active(int component, int i, int j, int k) const {
-  const auto& axis = level_.axis;
-  const Int3 index{i, j, k};
-  for (int a = 0; a < 3; ++a) {
-    const auto& owned = a == component ? axis[a].owned_face : axis[a].owned_cell;
-    if (owned[index[a] + axis[a].offset] == 0) {
-      return false;
-    }
-  }
   const std::ptrdiff_t at = level_.block.at(i, j, k);
-  return component < 3 ? level_.inverse_diagonal[component][at] != 0 : level_.push[at] != 0;
+  return level_.owns(component, {i, j, k}) &&
+         (component < 3 ? level_.inverse_diagonal[component][at] : level_.push[at]) != 0;
 }
 
 template <typename T>

@@ -184,9 +184,7 @@ void RigidSpheres::rest() {
 
 /// V += change: f and g follow.
 void RigidSpheres::add_motion(std::size_t ball, const Six& change) {
-  for (std::size_t x = 0; x < 6; ++x) {
-    motion_[ball][x] += change[x];
-  }
+  motion_[ball] = sum_of(motion_[ball], change);
   show_motion(ball, change);
 }
 
@@ -225,11 +223,7 @@ void RigidSpheres::push_cell(std::uint32_t at, Real flux) {
 void RigidSpheres::update() {
   find_rows();
   for (std::size_t b = 0; b < set_.size(); ++b) {
-    Six rest = force_[b];
-    for (std::size_t x = 0; x < 6; ++x) {
-      rest[x] += row_[b][x];
-    }
-    const Six change = times(inverse_[b], rest);
+    const Six change = times(inverse_[b], sum_of(force_[b], row_[b]));
     add_motion(b, change);
     for (const SphereCell& q : cuts()[b].cells) {
       push_cell(q.at, q.of(change));
@@ -240,11 +234,7 @@ void RigidSpheres::update() {
 void RigidSpheres::spread_residual() {
   find_rows();
   for (std::size_t b = 0; b < set_.size(); ++b) {
-    Six rest = force_[b];
-    for (std::size_t x = 0; x < 6; ++x) {
-      rest[x] += row_[b][x];
-    }
-    const Six density = times(spread_[b], rest);
+    const Six density = times(spread_[b], sum_of(force_[b], row_[b]));
     for (const RigidFace& q : cuts()[b].faces) {
       const int c = q.face.component;
       level_.r[c][q.face.at] = level_.carry[c][q.face.at] * static_cast<float>(q.face.of(density));
@@ -278,7 +268,7 @@ void RigidSpheres::write_faces(bool moving) {
   }
 }
 
-std::vector<Six> RigidSpheres::take_drive(Packed<float>& b) const {
+std::vector<Six> RigidSpheres::take_drive(Packed<float>& b) {
   std::vector<Six> sums(set_.size(), Six{});
   for (std::size_t ball = 0; ball < set_.size(); ++ball) {
     for (const RigidFace& q : cuts()[ball].faces) {
@@ -291,10 +281,11 @@ std::vector<Six> RigidSpheres::take_drive(Packed<float>& b) const {
   }
   for (const std::uint32_t at : cover_.covered_cells()) {
     const Int3 cell = cover_.index_of(at);
-    if (cover_.owns_cell(cell)) {
+    if (level_.owns(3, cell)) {
       b[op_.position(3, cell)] = 0;
     }
   }
+  set_.sum(sums);
   return sums;
 }
 

@@ -61,11 +61,8 @@ class RigidSpheres {
   /// F -> F/L of an owned ball's row; zero where it is held.
   void scale_force(std::size_t ball, Six& force) const;
   /// Takes out what a right-hand side holds on covered faces and cells.
-  /// @return sum r b over covered faces, this rank's part: the drive on each sphere
-  [[nodiscard]] std::vector<Six> take_drive(Packed<float>& b) const;
-
-  /// Over the ranks that hold each ball.
-  void sum(std::vector<Six>& parts) { set_.sum(parts); }
+  /// @return sum r b over covered faces: the drive on each held ball
+  [[nodiscard]] std::vector<Six> take_drive(Packed<float>& b);
 
   // In a multigrid cycle.
   template <typename T>

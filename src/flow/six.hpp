@@ -13,6 +13,12 @@ using Six = std::array<Real, 6>;
 /// Row by row.
 using SixBySix = std::array<Real, 36>;
 
+[[nodiscard]] inline Six sum_of(Six a, const Six& b) {
+  for (std::size_t x = 0; x < a.size(); ++x) {
+    a[x] += b[x];
+  }
+  return a;
+}
 [[nodiscard]] Six times(const SixBySix& a, const Six& x);
 
 /// L of a symmetric positive matrix A = L L^T. A semi-definite one (a sphere almost outside the grid)

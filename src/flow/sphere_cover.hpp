@@ -83,6 +83,18 @@ struct CoverCount {
   Index pockets = 0;  ///< small ones between spheres that were closed
 };
 
+/// Calls visit(index) for the indices from first to last, both included.
+template <typename Visit>
+void for_window(const Int3& first, const Int3& last, const Visit& visit) {
+  for (int k = first[2]; k <= last[2]; ++k) {
+    for (int j = first[1]; j <= last[1]; ++j) {
+      for (int i = first[0]; i <= last[0]; ++i) {
+        visit(Int3{i, j, k});
+      }
+    }
+  }
+}
+
 /// Covers faces of the finest level by spheres, and takes that back.
 ///
 /// - A face belongs to the sphere in which it lies deepest; 1/d = 0 there.
@@ -103,7 +115,6 @@ class SphereCover {
   /// Cells that were open and are not any more, in memory order.
   [[nodiscard]] const std::vector<std::uint32_t>& covered_cells() const { return covered_; }
   [[nodiscard]] Int3 index_of(std::uint32_t at) const;
-  [[nodiscard]] bool owns_cell(const Int3& index) const;
 
  private:
   struct OldFace {
@@ -121,11 +132,23 @@ class SphereCover {
     Int3 last;
   };
   [[nodiscard]] Window window(const BallImage& image, Real radius, int margin) const;
+  /// Open cells that hang together, and the open faces met.
+  struct Flood {
+    std::vector<std::uint32_t> cells;
+    std::vector<std::pair<int, std::uint32_t>> faces;  ///< component, place
+    bool closed = false;                               ///< a pocket
+  };
   [[nodiscard]] Vec3 arm_of(int component, const Int3& index, const Vec3& centre) const;
-  [[nodiscard]] bool owns_face(int component, const Int3& index) const;
   [[nodiscard]] float volume_of(int component, const Int3& index) const;
   [[nodiscard]] bool is_inside(const Int3& index) const;
   [[nodiscard]] bool was_open(std::uint32_t cell) const;
+  [[nodiscard]] FaceArm face_arm(int component, const Int3& index, const Vec3& arm) const;
+  [[nodiscard]] std::vector<std::uint32_t> changed_cells() const;
+  [[nodiscard]] bool step_through(Int3& cell, int axis, int side) const;
+  [[nodiscard]] Flood flood_from(std::uint32_t start) const;
+  [[nodiscard]] int nearest_image(const SphereSet& set, int component, std::uint32_t face) const;
+  [[nodiscard]] SphereCell cell_at(const Int3& index, const std::array<float, 6>& flux) const;
+  [[nodiscard]] std::vector<SphereCell> fluxes_of(std::size_t ball) const;
   void cover(const SphereSet& set, int image);
   void close_pockets(const SphereSet& set);
   void take_face(int component, std::uint32_t at, int image);

@@ -216,23 +216,31 @@ Real StokesSolver::flux_variation() const {
   return variation;
 }
 
-std::vector<Real> StokesSolver::plane_fluxes(int axis) const {
+/// Calls visit(index, W u [m/s]) for the faces normal to an axis that this rank owns, those that
+/// spheres cover too.
+template <typename Visit>
+void StokesSolver::for_fluxes(int axis, const Visit& visit) const {
   const Level& level = hierarchy_.finest();
-  std::vector<Real> flux(static_cast<std::size_t>(block().global[axis]) + 1, 0);
-  const Real unit = scale_ * spacing_.x * spacing_.x / viscosity_ *
-                    (spacing_.x * spacing_.y * spacing_.z / spacing_[axis]);
+  const Real unit = scale_ * spacing_.x * spacing_.x / viscosity_;
   operator_->for_each_of(axis, [&](int i, int j, int k, std::size_t at) {
-    flux[global(block(), axis, Int3{i, j, k}[axis])] +=
-        level.weight[axis][block().at(i, j, k)] * x_[at] * unit;
+    visit(Int3{i, j, k}, level.weight[axis][block().at(i, j, k)] * x_[at] * unit);
   });
   if (spheres_) {
     spheres_->for_covered([&](const RigidFace& q, Real velocity) {
       if (q.face.component == axis) {
-        flux[global(block(), axis, spheres_->cover().index_of(q.face.at)[axis])] +=
-            level.weight[axis][q.face.at] * velocity * unit;
+        visit(spheres_->cover().index_of(q.face.at),
+              level.weight[axis][q.face.at] * velocity * unit);
       }
     });
   }
+}
+
+std::vector<Real> StokesSolver::plane_fluxes(int axis) const {
+  std::vector<Real> flux(static_cast<std::size_t>(block().global[axis]) + 1, 0);
+  const Real area = spacing_.x * spacing_.y * spacing_.z / spacing_[axis];
+  for_fluxes(axis, [&](const Int3& index, Real velocity) {
+    flux[global(block(), axis, index[axis])] += velocity * area;
+  });
   comm_.sum(flux);
   if (boundaries_.periodic(axis)) {
     flux.back() = flux.front();
@@ -246,29 +254,16 @@ std::vector<Real> StokesSolver::plane_fluxes(int axis) const {
 }
 
 std::vector<Real> StokesSolver::plane_velocities(int axis, int plane) const {
-  const Level& level = hierarchy_.finest();
   const int a = axis == 0 ? 1 : 0;
   const int b = axis == 2 ? 1 : 2;
   const int columns = block().global[a];
   std::vector<Real> out(static_cast<std::size_t>(columns) * block().global[b], 0);
-  const Real unit = scale_ * spacing_.x * spacing_.x / viscosity_;
-  const auto add = [&](const Int3& index, Real velocity) {
+  for_fluxes(axis, [&](const Int3& index, Real velocity) {
     if (global(block(), axis, index[axis]) == plane) {
-      const std::ptrdiff_t at = block().at(index[0], index[1], index[2]);
       out[static_cast<std::size_t>(global(block(), b, index[b])) * columns +
-          global(block(), a, index[a])] += level.weight[axis][at] * velocity * unit;
+          global(block(), a, index[a])] += velocity;
     }
-  };
-  operator_->for_each_of(axis, [&](int i, int j, int k, std::size_t at) {
-    add({i, j, k}, x_[at]);
   });
-  if (spheres_) {
-    spheres_->for_covered([&](const RigidFace& q, Real velocity) {
-      if (q.face.component == axis) {
-        add(spheres_->cover().index_of(q.face.at), velocity);
-      }
-    });
-  }
   comm_.sum(out);
   return out;
 }

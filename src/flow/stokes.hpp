@@ -130,6 +130,10 @@ class StokesSolver {
   SolveReport solve_suspension(const Drive& drive, SolveOptions options);
   void place_and_guess(const Drive& drive, Packed<float>& b, bool warm);
   void show_held_to_coarse_levels();
+  void lift_spheres();
+  void place_given();
+  template <typename Visit>
+  void for_fluxes(int axis, const Visit& visit) const;
   void fill_vacated(const std::vector<std::uint32_t>& vacated);
 
   par::Communicator comm_;

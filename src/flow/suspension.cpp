@@ -86,8 +86,7 @@ void StokesSolver::fill_vacated(const std::vector<std::uint32_t>& vacated) {
     level.halo.exchange(fields, 1);
     std::vector<std::pair<std::uint32_t, float>> found;
     for (const std::uint32_t at : vacated) {
-      if (level.push[at] == 0 || known[at] != 0 ||
-          !spheres_->cover().owns_cell(spheres_->cover().index_of(at))) {
+      if (level.push[at] == 0 || known[at] != 0 || !level.owns(3, spheres_->cover().index_of(at))) {
         continue;
       }
       float sum = 0;
@@ -129,6 +128,19 @@ void StokesSolver::show_held_to_coarse_levels() {
   hierarchy_.build();
 }
 
+/// The grid and the operator without spheres.
+void StokesSolver::lift_spheres() {
+  spheres_->lift();
+  operator_->attach(nullptr);
+}
+
+/// Those of the last set_spheres, after lift_spheres().
+void StokesSolver::place_given() {
+  show_held_to_coarse_levels();
+  spheres_->place(scaled_spheres(), scaled_walls(), roughness_ / spacing_.x);
+  operator_->attach(spheres_.get());
+}
+
 /// Places the spheres; leaves the right-hand side in b and the first guess in x_.
 void StokesSolver::place_and_guess(const Drive& drive, Packed<float>& b, bool warm) {
   Level& level = hierarchy_.finest();
@@ -139,28 +151,19 @@ void StokesSolver::place_and_guess(const Drive& drive, Packed<float>& b, bool wa
     spheres_->write_faces(true);
     vacated = spheres_->cover().covered_cells();
   }
-  spheres_->lift();
-  op.attach(nullptr);
+  lift_spheres();
   b = right_hand_side(drive);
-  show_held_to_coarse_levels();
   if (!warm) {
     op.load_unknowns(first_guess(drive));
   }
-  spheres_->place(scaled_spheres(), scaled_walls(), roughness_ / spacing_.x);
-  op.attach(spheres_.get());
+  place_given();
   level.exchange_unknowns(sweep_depth);
   spheres_->write_faces(false);
   fill_vacated(vacated);
   drive_on_ = spheres_->take_drive(b);
   b.resize(op.size(), 0.0F);
-  std::vector<Six> all = drive_on_;
-  spheres_->sum(all);
-  drive_on_ = all;
   for (std::size_t q = 0; q < spheres_->set().owned(); ++q) {
-    Six force = all[q];
-    for (std::size_t x = 0; x < 6; ++x) {
-      force[x] += spheres_->set().balls()[q].force[x];
-    }
+    Six force = sum_of(drive_on_[q], spheres_->set().balls()[q].force);
     spheres_->scale_force(q, force);
     for (std::size_t x = 0; x < 6; ++x) {
       b[op.fluid_size() + RigidSpheres::tail_of(q) + x] = static_cast<float>(force[x]);
@@ -185,11 +188,8 @@ StokesSolver::Memory StokesSolver::remember() const {
 void StokesSolver::recall(const Memory& memory) {
   set_spheres(memory.spheres);
   scale_ = memory.scale;
-  spheres_->lift();
-  operator_->attach(nullptr);
-  show_held_to_coarse_levels();
-  spheres_->place(scaled_spheres(), scaled_walls(), roughness_ / spacing_.x);
-  operator_->attach(spheres_.get());
+  lift_spheres();
+  place_given();
   x_.assign(memory.unknowns.begin(), memory.unknowns.end());
   if (x_.size() != operator_->size()) {
     x_.clear();  // of another number of ranks: from rest
@@ -229,10 +229,7 @@ std::vector<SphereMotion> StokesSolver::sphere_motions() const {
   std::vector<SphereMotion> out;
   for (std::size_t q = 0; q < given_.size(); ++q) {
     const Six& v = spheres_->motion()[q];
-    Six f = spheres_->rows()[q];
-    for (std::size_t x = 0; x < 6; ++x) {
-      f[x] += drive_on_[q][x];
-    }
+    const Six f = sum_of(spheres_->rows()[q], drive_on_[q]);
     const Six& c = contact_on_[q];
     SphereMotion m;
     m.velocity = velocity_unit * Vec3{v[0], v[1], v[2]};

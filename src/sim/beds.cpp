@@ -54,7 +54,7 @@ std::vector<Real> draw_radii(const config::Particles& species, std::size_t index
   for (std::uint64_t k = 0;; ++k) {
     Draws draws(seed, Stream::size, start | static_cast<std::uint64_t>(index) << 40 | k);
     const Real r = dem::draw_diameter(sizes, draws) / 2;
-    const Real v = dem::sphere_volume({r});
+    const Real v = dem::sphere_volume(r);
     if (species.count > 0 ? static_cast<long long>(k) == species.count : taken + v / 2 > volume) {
       return radius;
     }

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MPL-2.0
 #include "sim/coupled_output.hpp"
 
-#include <cmath>
+#include <algorithm>
 
-#include <fmt/format.h>
-
-#include "sim/dry_results.hpp"
+#include "sim/prepare.hpp"
 #include "sim/results.hpp"
-#include "sim/session.hpp"
-#include "sim/tracks.hpp"
 
 namespace porefines::sim {
 namespace {
@@ -47,24 +43,6 @@ std::vector<Real> series_values(CoupledRun& run, const Moment& moment) {
   return row;
 }
 
-void write_step_fields(CoupledRun& run, CoupledSink& sink, std::span<const float> solid) {
-  flow::StokesSolver::CellFields fields = run.solver.cell_fields();
-  const auto pressure = static_cast<float>(run.offset);
-  for (std::size_t at = 0; at < fields.pressure.size(); ++at) {
-    fields.pressure[at] += fields.fluid[at] != 0 ? pressure : 0.0F;
-  }
-  std::vector<float> velocity(3 * fields.pressure.size());
-  for (std::size_t at = 0; at < fields.pressure.size(); ++at) {
-    for (std::size_t a = 0; a < 3; ++a) {
-      velocity[3 * at + a] = fields.velocity[a][at];
-    }
-  }
-  const std::vector<io::ScalarField> scalars{
-      {"pressure", fields.pressure}, {"solid_fraction", solid}, {"fluid", fields.fluid}};
-  const std::vector<io::VectorField> vectors{{"velocity", velocity}};
-  sink.fields->write(run.time(), scalars, vectors);
-}
-
 }  // namespace
 
 std::vector<std::string> coupled_columns() {
@@ -94,59 +72,29 @@ std::vector<std::string> coupled_columns() {
 
 CoupledSink open_coupled_sink(const std::string& folder, const CoupledRun& run,
                               const io::Provenance& provenance, Start start) {
-  CoupledSink sink{folder, provenance, {}, {}, {}};
-  on_root(run.comm(), [&] {
-    const Real time = run.time();
-    sink.series.emplace(open_table(folder + "/series.csv", coupled_columns(), time, start));
-    if (const auto* output = config::find_output(run.the_case, config::OutputKind::tracks)) {
-      sink.tracks.emplace(
-          open_table(folder + "/tracks.csv", track_columns(output->forces), time, start));
-    }
-  });
+  CoupledSink sink{open_sink(folder, run.particles, provenance, start, coupled_columns()), {}};
   if (config::find_output(run.the_case, config::OutputKind::fields) != nullptr) {
-    const grid::Block& b = run.solver.block();
-    const io::GridBlock grid{b.global, run.domain.origin(), run.domain.spacing, b.start, b.n};
-    if (start == Start::resumed) {
-      sink.fields.emplace(
-          io::FieldWriter::resume(folder, run.comm().handle(), grid, provenance, run.time()));
-    } else {
-      sink.fields.emplace(folder, run.comm().handle(), grid, provenance);
-    }
+    sink.fields.emplace(open_fields(folder, run.domain, run.solver.block(), provenance, run.comm(),
+                                    start, run.time()));
   }
   return sink;
 }
 
 void write_coupled(CoupledRun& run, CoupledSink& sink, const std::string& left,
                    std::span<const float> solid) {
-  DryState& state = run.particles.state;
-  std::string rows = left;
-  if (is_due(run.the_case, config::OutputKind::tracks, state.tracked, run.time())) {
-    rows += track_rows(run.particles);
-    ++state.tracked;
-  }
-  std::vector<Real> row;
-  if (is_due(run.the_case, config::OutputKind::summary, state.samples, run.time())) {
-    row = series_values(run, look(run.particles));
-    ++state.samples;
-  }
-  on_root(run.comm(), [&] {
-    if (sink.tracks && !rows.empty()) {
-      sink.tracks->append_lines(rows);
-    }
-    if (!row.empty()) {
-      sink.series->append(row);
-    }
-  });
+  write_due(run.particles, sink.tables, left,
+            [&] { return series_values(run, look(run.particles)); });
   if (sink.fields &&
       is_due(run.the_case, config::OutputKind::fields, run.state.fields_written, run.time())) {
-    write_step_fields(run, sink, solid);
+    write_fields(*sink.fields, run.time(), cell_fields(run), solid, true);
     ++run.state.fields_written;
   }
-  if (is_due(run.the_case, config::OutputKind::pictures, state.drawn, run.time())) {
-    draw_dry(fmt::format("{}/particles_{:05}.png", sink.folder, state.drawn), run.particles,
-             sink.provenance);
-    ++state.drawn;
-  }
+}
+
+flow::StokesSolver::CellFields cell_fields(CoupledRun& run) {
+  flow::StokesSolver::CellFields fields = run.solver.cell_fields();
+  to_case_units(fields, 1, run.offset);
+  return fields;
 }
 
 void add_coupled(Json& json, const CoupledRun& run) {

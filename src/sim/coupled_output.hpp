@@ -7,20 +7,15 @@
 
 #include "core/json.hpp"
 #include "io/fields.hpp"
-#include "io/series.hpp"
 #include "sim/coupled_state.hpp"
-#include "sim/session.hpp"
+#include "sim/dry_output.hpp"
 
 namespace porefines::sim {
 
-/// Where a coupled run writes on the way; tables are open on rank 0 alone.
+/// Where a coupled run writes on the way.
 struct CoupledSink {
-  std::string folder;
-  io::Provenance provenance;
-  std::optional<io::SeriesWriter> series;
-  std::optional<io::SeriesWriter> tracks;
+  Sink tables;
   std::optional<io::FieldWriter> fields;
-  Real saved = 0;  ///< [s] of wall time at the last checkpoint
 };
 
 /// Starts the tables, or continues them after the time of a resumed run. Collective.
@@ -32,6 +27,9 @@ struct CoupledSink {
 /// @param solid  share of each cell that is grain
 void write_coupled(CoupledRun& run, CoupledSink& sink, const std::string& left,
                    std::span<const float> solid);
+
+/// The flow as it is now, in the units of the case. Collective.
+[[nodiscard]] flow::StokesSolver::CellFields cell_fields(CoupledRun& run);
 
 /// Columns of series.csv.
 [[nodiscard]] std::vector<std::string> coupled_columns();

@@ -11,6 +11,7 @@
 #include "sim/coupled_checkpoint.hpp"
 #include "sim/coupled_output.hpp"
 #include "sim/dry_results.hpp"
+#include "sim/ending.hpp"
 #include "sim/grains.hpp"
 #include "sim/pictures.hpp"
 #include "sim/prepare.hpp"
@@ -20,48 +21,16 @@
 namespace porefines::sim {
 namespace {
 
-/// How a coupled run ended.
-struct CoupledEnd {
-  std::string status = "done";
-  std::string reason;
-  int exit_code = exit_code::done;
-  std::string error;  ///< to throw when everything is written
-};
-
-/// Anything from outside that ends the loop.
-std::optional<CoupledEnd> interruption(const CoupledRun& run, const Stopwatch& watch) {
-  if (const int signal = signal_anywhere(run.comm()); signal != 0) {
-    return CoupledEnd{"interrupted", fmt::format("signal {}", signal),
-                      exit_code::signal_base + signal, ""};
-  }
-  const Real limit = run.the_case.run.max_wall;
-  if (limit > 0 && run.comm().max(watch.seconds()) > limit) {
-    return CoupledEnd{
-        "stopped", "max_wall", exit_code::stopped_itself,
-        fmt::format("run.max_wall is over at {:.6g} s of {:.6g} s; results are those so "
-                    "far, and --restart goes on",
-                    run.time(), run.the_case.run.end_time)};
-  }
-  return {};
-}
-
-/// Writes a checkpoint; a failure is a warning, since the run has its worth without. Collective.
-void save(const CoupledRun& run, CoupledSink& sink, const Stopwatch& watch, Log& log) {
-  sink.saved = run.comm().max(watch.seconds());
-  try {
-    write_checkpoint(run, sink.folder, sink.provenance);
-    log.info("checkpoint at {:.9g} s, step {}", run.time(), run.particles.state.steps);
-  } catch (const RunError& failure) {
-    log.warn("no checkpoint at {:.6g} s: {}", run.time(), failure.what());
-  }
-}
-
-CoupledEnd simulate(CoupledRun& run, CoupledSink& sink, std::span<const float> solid,
-                    const Stopwatch& watch, Log& log) {
+Outcome simulate(CoupledRun& run, CoupledSink& sink, std::span<const float> solid,
+                 const Stopwatch& watch, Log& log) {
   std::optional<Progress> progress;
   if (run.comm().is_root()) {
     progress.emplace("run");
   }
+  const auto save = [&](Real wall_time) {
+    sim::save(run.particles, sink.tables, wall_time, log,
+              [&] { write_checkpoint(run, sink.tables.folder, sink.tables.provenance); });
+  };
   const Real end = run.the_case.run.end_time;
   std::string left;
   while (true) {
@@ -69,8 +38,8 @@ CoupledEnd simulate(CoupledRun& run, CoupledSink& sink, std::span<const float> s
     write_coupled(run, sink, left, solid);  // of this moment
     look_at_limits(run);
     if (run.time() >= end || run.state.stopped) {
-      save(run, sink, watch, log);
-      return {"done", run.state.reason, exit_code::done, ""};
+      save(run.comm().max(watch.seconds()));
+      return {.ending = {.reason = run.state.reason}};
     }
     const Real step = choose_step(run);
     move_particles(run, step);        // with the flow and against each other
@@ -79,46 +48,27 @@ CoupledEnd simulate(CoupledRun& run, CoupledSink& sink, std::span<const float> s
     if (progress) {
       progress->update(run.time() / end);
     }
-    if (const auto stop = interruption(run, watch)) {
-      save(run, sink, watch, log);
+    const Real wall_time = run.comm().max(watch.seconds());
+    if (const auto stop = reason_to_stop(run.particles, wall_time)) {
+      save(wall_time);
       return *stop;
     }
-    if (run.comm().max(watch.seconds()) - sink.saved >= run.the_case.checkpoint.every) {
-      save(run, sink, watch, log);
+    if (wall_time - sink.tables.saved >= run.the_case.checkpoint.every) {
+      save(wall_time);
     }
   }
 }
 
-/// The same, with errors as an ending: what there is will be written before they are reported.
-CoupledEnd simulate_safely(CoupledRun& run, CoupledSink& sink, std::span<const float> solid,
-                           const Stopwatch& watch, Log& log) {
-  std::string error;
-  try {
-    return simulate(run, sink, solid, watch, log);
-  } catch (const RunError& failure) {
-    error = failure.what();
-  }
-  return {"stopped", error, exit_code::stopped_itself, error};
-}
-
-void say_coupled(Log& log, const CoupledRun& run, const CoupledEnd& end) {
-  const Ledger& ledger = run.particles.state.ledger;
-  log.info("particles  {} placed + {} injected = {} inside + {} out", ledger.placed,
-           ledger.injected, ledger.expected_inside(), ledger.out);
-  for (std::size_t k = 0; k < run.particles.inlets.size(); ++k) {
-    if (run.particles.state.inlets[k].waiting > 0) {
-      log.warn("{}: {} particles were due but found no room at the inlet",
-               run.the_case.injection[k].species, run.particles.state.inlets[k].waiting);
-    }
-  }
+void say_coupled(Log& log, const CoupledRun& run, const Outcome& outcome) {
+  say_particles(log, run.particles);
   log.info("k/k0       {:.4f} after {:.4g} pore volumes", run.permeability_ratio(),
            run.pore_volumes());
   log.info("steps      {} to {:.4g} s, {:.3g} cycles per solve, {} contact substeps",
            run.particles.state.steps, run.time(),
            static_cast<Real>(run.state.cycles) / static_cast<Real>(run.state.solves),
            run.state.substeps);
-  if (!end.reason.empty()) {
-    log.info("ended      {}", end.reason);
+  if (!outcome.ending.reason.empty()) {
+    log.info("ended      {}", outcome.ending.reason);
   }
 }
 
@@ -129,9 +79,7 @@ void draw_end(CoupledRun& run, const std::string& folder, const geom::Sample& sa
     return;
   }
   draw_dry(folder + "/particles.png", run.particles, provenance);
-  flow::StokesSolver::CellFields fields = run.solver.cell_fields();
-  to_case_units(fields, 1, run.offset);
-  draw_fields(folder, run.the_case, sample, run.domain, fields, solid, run.solver.block(),
+  draw_fields(folder, run.the_case, sample, run.domain, cell_fields(run), solid, run.solver.block(),
               provenance, run.comm());
 }
 
@@ -179,23 +127,23 @@ int run_coupled_case(const config::Case& the_case, const RunOptions& options,
     run.particles.system.start_creeping();
   }
   CoupledSink sink = open_coupled_sink(folder, run, provenance, start);
-  const CoupledEnd end = simulate_safely(run, sink, solid, watch, *log);
+  const Outcome outcome = safely([&] { return simulate(run, sink, solid, watch, *log); });
   draw_end(run, folder, prepared.sample, solid, provenance);
   facts.peak_memory = comm.sum(static_cast<Real>(peak_memory()));
   facts.wall_time = watch.seconds();
   Json summary = summarise(the_case, prepared.sample, domain, clean, facts);
   add_coupled(summary, run);
-  summary.set("status", end.status);
-  if (!end.reason.empty()) {
-    summary.set("reason", end.reason);
+  summary.set("status", outcome.ending.status);
+  if (!outcome.ending.reason.empty()) {
+    summary.set("reason", outcome.ending.reason);
   }
   on_root(comm, [&] { write_file(folder + "/summary.json", summary.text()); });
-  say_coupled(*log, run, end);
+  say_coupled(*log, run, outcome);
   log->info("results    {}", folder);
-  if (!end.error.empty()) {
-    throw RunError(end.error);
+  if (!outcome.error.empty()) {
+    throw RunError(outcome.error);
   }
-  return end.exit_code;
+  return outcome.exit_code;
 }
 
 }  // namespace porefines::sim

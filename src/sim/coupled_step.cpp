@@ -8,8 +8,9 @@
 #include "analysis/flux.hpp"
 #include "analysis/permeability.hpp"
 #include "core/error.hpp"
-#include "core/signals.hpp"
+#include "dem/packing.hpp"
 #include "sim/coupled_state.hpp"
+#include "sim/particle_setup.hpp"
 
 namespace porefines::sim {
 namespace {
@@ -27,7 +28,7 @@ std::vector<flow::Sphere> spheres_of(CoupledRun& run) {
   const Vec3 corner = run.domain.origin();
   std::vector<flow::Sphere> spheres;
   for (std::size_t i = 0; i < p.owned; ++i) {
-    const Real volume = 4.0 / 3 * pi * std::pow(p.radius[i], 3);
+    const Real volume = dem::sphere_volume(p.radius[i]);
     const config::Triple& f = run.the_case.particles[p.species[i]].force;
     dem::Creeping& c = p.creeping;
     c.told_force[i] = c.mean_force[i];
@@ -49,10 +50,9 @@ std::vector<flow::Sphere> spheres_of(CoupledRun& run) {
 
 /// Grains and walls within a cell or so of the spheres of this rank.
 std::vector<flow::WallGap> walls_near(const CoupledRun& run) {
-  constexpr Real range = 1.25;  // cells, beyond which lubrication has no part
   const dem::System& system = run.particles.system;
   const dem::Particles& p = system.particles();
-  const Real reach = range * run.domain.spacing.x;
+  const Real reach = flow::lubrication_range * run.domain.spacing.x;
   std::vector<flow::WallGap> walls;
   dem::TouchList touches;
   for (std::size_t i = 0; i < p.owned; ++i) {
@@ -166,12 +166,8 @@ void feed_inlets(CoupledRun& run) {
         inlet.fastest_flow = std::max(inlet.fastest_flow, v);
       }
     }
-    if (asked.kind == config::Concentration::volume_fraction) {
-      inlet.rate = asked.value * rate;
-    } else if (asked.kind == config::Concentration::mass_fraction) {
-      const Real c = asked.value;
-      const Real share = c / inlet.density;
-      inlet.rate = rate * share / (share + (1 - c) / run.the_case.fluid.density);
+    if (asked.kind != config::Concentration::rate) {
+      inlet.rate = injected_volume(run.the_case, asked, inlet.density, rate);
     }
   }
 }
@@ -235,11 +231,7 @@ void move_particles(CoupledRun& run, Real step) {
     const Real approach = approach_share * run.the_case.contact.max_overlap * smallest;
     run.state.substeps += particles.system.creep(step, approach).substeps;
   }
-  const Real due = next_sample(particles);
-  const Real time = particles.state.time + step;
-  particles.state.time = std::abs(time - due) <= 1e-9 * step ? due : time;
-  particles.state.steps += 1;
-  particles.state.step = step;
+  advance_clock(particles.state, {step, 1}, next_sample(particles));
   run.state.fluid_passed += std::abs(run.now.flow_rate) * step;
 }
 
@@ -249,7 +241,7 @@ Real particle_volume(const CoupledRun& run) {
   const dem::Particles& p = run.particles.system.particles();
   Real volume = 0;
   for (std::size_t i = 0; i < p.owned; ++i) {
-    volume += 4.0 / 3 * pi * std::pow(p.radius[i], 3);
+    volume += dem::sphere_volume(p.radius[i]);
   }
   return run.comm().sum(volume);
 }

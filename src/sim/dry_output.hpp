@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MPL-2.0
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "io/provenance.hpp"
 #include "io/series.hpp"
 #include "sim/dry_state.hpp"
 #include "sim/session.hpp"
+#include "sim/tracks.hpp"
 
 namespace porefines::sim {
 
@@ -20,16 +23,25 @@ struct Sink {
   Real saved = 0;  ///< [s] of wall time at the last checkpoint
 };
 
-/// Starts the tables, or continues them after run.state.time: what an earlier run wrote later goes.
+/// Starts the tables, series.csv with these columns, or continues them after run.state.time: what an earlier run wrote later goes.
 /// Collective.
 [[nodiscard]] Sink open_sink(const std::string& folder, const DryRun& run,
-                             const io::Provenance& provenance, Start start);
+                             const io::Provenance& provenance, Start start,
+                             const std::vector<std::string>& columns = series_columns());
 
 /// Writes the samples that are due. Collective.
 /// @param left  rows of those that left, for tracks.csv
+/// @param row   of series.csv at this moment, asked for on every rank when it is due
+void write_due(DryRun& run, Sink& sink, const std::string& left,
+               const std::function<std::vector<Real>()>& row);
+/// With the row of a dry run.
 void write_due(DryRun& run, Sink& sink, const std::string& left);
 
-/// Writes a checkpoint; a failure is a warning, since the run has its worth without. Collective.
+/// Writes a checkpoint by `write`; a failure is a warning, since the run has its worth without.
+/// Collective.
+void save(const DryRun& run, Sink& sink, Real wall_time, Log& log,
+          const std::function<void()>& write);
+/// That of a dry run.
 void save(const DryRun& run, Sink& sink, Real wall_time, Log& log);
 
 }  // namespace porefines::sim

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <mpi.h>
 
 #include "core/memory.hpp"
 #include "core/progress.hpp"
+#include "par/gather.hpp"
 #include "report/draw_particles.hpp"
 #include "sim/session.hpp"
 
@@ -19,26 +19,14 @@ constexpr Real particle_rate = 10e6;      ///< particle-steps a second and rank,
 constexpr Real bytes_per_particle = 2e3;  ///< arrays, lists and their history
 constexpr Real base_bytes = 75e6;
 
-/// x, y, z, radius, speed of every particle, on rank 0.
-std::vector<Real> gather_discs(const DryRun& run) {
+/// All particles, coloured by speed, on rank 0.
+std::vector<report::Disc> gather_discs(const DryRun& run) {
   const dem::Particles& p = run.system.particles();
-  std::vector<Real> mine;
+  std::vector<report::Disc> mine;
   for (std::size_t i = 0; i < p.owned; ++i) {
-    const Vec3& x = p.position[i];
-    mine.insert(mine.end(), {x.x, x.y, x.z, p.radius[i], norm(p.velocity[i])});
+    mine.push_back({p.position[i], p.radius[i], norm(p.velocity[i])});
   }
-  const int count = static_cast<int>(mine.size());
-  std::vector<int> counts(static_cast<std::size_t>(run.comm.size()));
-  MPI_Gather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, run.comm.handle());
-  std::vector<int> starts(counts.size(), 0);
-  for (std::size_t r = 1; r < counts.size(); ++r) {
-    starts[r] = starts[r - 1] + counts[r - 1];
-  }
-  std::vector<Real> all(run.comm.is_root() ? static_cast<std::size_t>(starts.back() + counts.back())
-                                           : 0);
-  MPI_Gatherv(mine.data(), count, MPI_DOUBLE, all.data(), counts.data(), starts.data(), MPI_DOUBLE,
-              0, run.comm.handle());
-  return all;
+  return par::gather(run.comm, mine);
 }
 
 /// Is a point in a wall? A sphere of no size touches what it is in.
@@ -105,12 +93,8 @@ Json summarise_dry(const DryRun& run, const Ending& ending, const io::Provenance
 }
 
 void draw_dry(const std::string& path, const DryRun& run, const io::Provenance& provenance) {
-  const std::vector<Real> all = gather_discs(run);
+  std::vector<report::Disc> discs = gather_discs(run);
   on_root(run.comm, [&] {
-    std::vector<report::Disc> discs;
-    for (std::size_t at = 0; at < all.size(); at += 5) {
-      discs.push_back({{all[at], all[at + 1], all[at + 2]}, all[at + 3], all[at + 4]});
-    }
     const dem::Settings& settings = run.system.settings();
     const Vec3 size = settings.box.high - settings.box.low;
     const bool thin = 4 * size.z <= std::min(size.x, size.y);

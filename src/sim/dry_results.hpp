@@ -7,15 +7,9 @@
 #include "core/json.hpp"
 #include "io/provenance.hpp"
 #include "sim/dry_state.hpp"
+#include "sim/ending.hpp"
 
 namespace porefines::sim {
-
-/// How a run came to its end.
-struct Ending {
-  std::string status = "done";  ///< done, interrupted, stopped
-  std::string reason = "";
-  Real wall_time = 0;  ///< [s]
-};
 
 /// summary.json: flat, SI. Collective, the text counts on rank 0.
 [[nodiscard]] Json summarise_dry(const DryRun& run, const Ending& ending,

@@ -18,30 +18,6 @@
 namespace porefines::sim {
 namespace {
 
-/// What ended the loop.
-struct Outcome {
-  Ending ending;
-  int exit_code = exit_code::done;
-  std::string error;  ///< to throw when everything is written
-};
-
-/// Is it time to leave? Collective.
-std::optional<Outcome> reason_to_stop(const DryRun& run, Real wall_time) {
-  if (const int signal = signal_anywhere(run.comm); signal != 0) {
-    return Outcome{
-        {"interrupted", fmt::format("signal {}", signal)}, exit_code::signal_base + signal, ""};
-  }
-  const Real limit = run.the_case.run.max_wall;
-  if (limit > 0 && wall_time > limit) {
-    return Outcome{{"stopped", "max_wall"},
-                   exit_code::stopped_itself,
-                   fmt::format("run.max_wall is over at {:.6g} s of {:.6g} s; results are those so "
-                               "far, and --restart goes on",
-                               run.state.time, run.the_case.run.end_time)};
-  }
-  return {};
-}
-
 /// The rows of the moment, the loop, and why it ended.
 Outcome simulate(DryRun& run, Sink& sink, const Stopwatch& watch, Log& log) {
   std::optional<Progress> progress;
@@ -75,21 +51,6 @@ Outcome simulate(DryRun& run, Sink& sink, const Stopwatch& watch, Log& log) {
   return {};
 }
 
-/// The same, with errors as an ending: what there is will be written before they are reported.
-Outcome simulate_safely(DryRun& run, Sink& sink, const Stopwatch& watch, Log& log) {
-  std::string error;
-  Outcome outcome;
-  try {
-    outcome = simulate(run, sink, watch, log);
-  } catch (const RunError& failure) {
-    error = failure.what();
-  }
-  if (!error.empty()) {
-    return {{"stopped", error}, exit_code::stopped_itself, error};
-  }
-  return outcome;
-}
-
 void write_results(const std::string& folder, const DryRun& run, const Outcome& outcome,
                    const io::Provenance& provenance) {
   if (config::find_output(run.the_case, config::OutputKind::pictures) != nullptr) {
@@ -101,15 +62,7 @@ void write_results(const std::string& folder, const DryRun& run, const Outcome& 
 
 void say_result(Log& log, const DryRun& run, const Outcome& outcome, const std::string& folder) {
   const Moment now = look(run);
-  const Ledger& ledger = run.state.ledger;
-  log.info("particles  {} placed + {} injected = {} inside + {} out", ledger.placed,
-           ledger.injected, now.totals.particles, ledger.out);
-  for (std::size_t k = 0; k < run.inlets.size(); ++k) {
-    if (run.state.inlets[k].waiting > 0) {
-      log.warn("{}: {} particles were due but found no room at the inlet",
-               run.the_case.injection[k].species, run.state.inlets[k].waiting);
-    }
-  }
+  say_particles(log, run);
   log.info("contacts   {:.3f} per particle, largest overlap {:.2g} of a radius", now.coordination,
            now.max_overlap);
   const dem::Spent& spent = now.totals.dissipated;
@@ -152,7 +105,7 @@ int run_dry(const config::Case& the_case, const RunOptions& options,
   Log log = open_folder(folder, the_case, comm, start);
   say(log, comm, provenance, story);
   Sink sink = open_sink(folder, run, provenance, start);
-  Outcome outcome = simulate_safely(run, sink, watch, log);
+  Outcome outcome = safely([&] { return simulate(run, sink, watch, log); });
   outcome.ending.wall_time = watch.seconds();
   write_results(folder, run, outcome, provenance);
   say_result(log, run, outcome, folder);

@@ -97,6 +97,9 @@ struct Stretch {
 
 void advance(DryRun& run, const Stretch& stretch);
 
+/// Time and steps after a stretch; exactly `due` [s] where that is meant.
+void advance_clock(DryState& state, const Stretch& stretch, Real due);
+
 /// Takes out what crossed an open face.
 /// @return their last rows for tracks.csv, on rank 0
 /// @throws RunError  a particle went through a wall

@@ -64,13 +64,16 @@ Stretch choose_stretch(const DryRun& run) {
   return {stretch / static_cast<Real>(count), count};
 }
 
+void advance_clock(DryState& state, const Stretch& stretch, Real due) {
+  const Real time = state.time + stretch.step * static_cast<Real>(stretch.count);
+  state.time = std::abs(time - due) <= 1e-9 * stretch.step ? due : time;
+  state.steps += stretch.count;
+  state.step = stretch.step;
+}
+
 void advance(DryRun& run, const Stretch& stretch) {
   run.system.advance(stretch.step, stretch.count);
-  const Real due = next_sample(run);
-  const Real time = run.state.time + stretch.step * static_cast<Real>(stretch.count);
-  run.state.time = std::abs(time - due) <= 1e-9 * stretch.step ? due : time;
-  run.state.steps += stretch.count;
-  run.state.step = stretch.step;
+  advance_clock(run.state, stretch, next_sample(run));
 }
 
 void require_healthy(const DryRun& run) {

@@ -15,7 +15,7 @@ namespace {
 
 /// Kinetic and potential energy of one particle, contacts left out.
 Real energy_of(const DryRun& run, const dem::Body& body) {
-  const Real mass = body.density * dem::sphere_volume({body.radius});
+  const Real mass = body.density * dem::sphere_volume(body.radius);
   const config::Triple& f = run.the_case.particles[body.species].force;
   return 0.5 * mass * dot(body.velocity, body.velocity) +
          0.2 * mass * body.radius * body.radius *

@@ -45,6 +45,13 @@ Real rate_of(const config::Case& the_case, const config::Injection& injection, R
     area *= axis == axis_of(injection.face) ? 1 : inlet.high[axis] - inlet.low[axis];
   }
   const Real flow = injection.flow_rate > 0 ? injection.flow_rate : injection.velocity * area;
+  return injected_volume(the_case, injection, density, flow);
+}
+
+}  // namespace
+
+Real injected_volume(const config::Case& the_case, const config::Injection& injection, Real density,
+                     Real flow) {
   const Real c = injection.value;
   if (injection.kind == config::Concentration::volume_fraction) {
     return c * flow;
@@ -52,8 +59,6 @@ Real rate_of(const config::Case& the_case, const config::Injection& injection, R
   const Real fluid = the_case.fluid.density;
   return flow * (c / density) / (c / density + (1 - c) / fluid);
 }
-
-}  // namespace
 
 dem::Sizes dem_sizes(const config::Sizes& sizes) {
   dem::Sizes out{sizes.mean, sizes.smallest, sizes.largest, dem::Mono{}, sizes.by_volume};

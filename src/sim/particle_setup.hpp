@@ -32,6 +32,11 @@ namespace porefines::sim {
 [[nodiscard]] dem::Settings make_settings(const config::Case& the_case, const geom::Sample& sample,
                                           const dem::Box& box);
 
+/// [m^3/s] of particles of this density [kg/m^3] in a flow of suspension [m^3/s], for an injection by
+/// volume or mass fraction.
+[[nodiscard]] Real injected_volume(const config::Case& the_case, const config::Injection& injection,
+                                   Real density, Real flow);
+
 /// The injections of the case.
 /// @throws InputError  a window outside the face, or one that lets no particle through
 [[nodiscard]] std::vector<dem::Inlet> make_inlets(const config::Case& the_case,

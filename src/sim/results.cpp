@@ -114,27 +114,33 @@ Json summarise(const config::Case& the_case, const geom::Sample& sample, const D
   return json;
 }
 
-void write_fields(const std::string& folder, const Domain& domain,
-                  const flow::StokesSolver::CellFields& fields, std::span<const float> solid,
-                  const grid::Block& block, const io::Provenance& provenance,
-                  const par::Communicator& comm) {
-  io::FieldWriter writer(folder, comm.handle(),
-                         {.global_cells = domain.cells,
-                          .origin = domain.origin(),
-                          .spacing = domain.spacing,
-                          .offset = block.start,
-                          .cells = block.n},
-                         provenance);
+io::FieldWriter open_fields(const std::string& folder, const Domain& domain,
+                            const grid::Block& block, const io::Provenance& provenance,
+                            const par::Communicator& comm, Start start, Real time) {
+  const io::GridBlock grid{.global_cells = domain.cells,
+                           .origin = domain.origin(),
+                           .spacing = domain.spacing,
+                           .offset = block.start,
+                           .cells = block.n};
+  return start == Start::resumed
+             ? io::FieldWriter::resume(folder, comm.handle(), grid, provenance, time)
+             : io::FieldWriter(folder, comm.handle(), grid, provenance);
+}
+
+void write_fields(io::FieldWriter& writer, Real time, const flow::StokesSolver::CellFields& fields,
+                  std::span<const float> solid, bool with_fluid) {
   std::vector<float> velocity(3 * fields.pressure.size());
   for (std::size_t at = 0; at < fields.pressure.size(); ++at) {
     for (std::size_t c = 0; c < 3; ++c) {
       velocity[3 * at + c] = fields.velocity[c][at];
     }
   }
-  const std::array<io::ScalarField, 2> scalars{io::ScalarField{"pressure", fields.pressure},
-                                               io::ScalarField{"solid_fraction", solid}};
+  std::vector<io::ScalarField> scalars{{"pressure", fields.pressure}, {"solid_fraction", solid}};
+  if (with_fluid) {
+    scalars.push_back({"fluid", fields.fluid});
+  }
   const std::array<io::VectorField, 1> vectors{io::VectorField{"velocity", velocity}};
-  writer.write(0, scalars, vectors);
+  writer.write(time, scalars, vectors);
 }
 
 }  // namespace porefines::sim

@@ -8,11 +8,13 @@
 #include "core/json.hpp"
 #include "flow/stokes.hpp"
 #include "geom/build.hpp"
+#include "io/fields.hpp"
 #include "io/provenance.hpp"
 #include "par/communicator.hpp"
 #include "sim/domain.hpp"
 #include "sim/grains.hpp"
 #include "sim/plan.hpp"
+#include "sim/session.hpp"
 #include "sim/steady_flow.hpp"
 
 namespace porefines::sim {
@@ -38,11 +40,17 @@ struct RunFacts {
 [[nodiscard]] Real reynolds(const config::Case& the_case, const SteadyFlow& flow, Real porosity,
                             const Domain& domain);
 
-/// fields.xdmf: velocity [m/s], pressure [Pa], solid_fraction; x = 0 where the sample begins.
+/// fields.xdmf of a run, x = 0 where the sample begins; or that of an earlier one up to `time` [s].
 /// Collective.
-void write_fields(const std::string& folder, const Domain& domain,
-                  const flow::StokesSolver::CellFields& fields, std::span<const float> solid,
-                  const grid::Block& block, const io::Provenance& provenance,
-                  const par::Communicator& comm);
+[[nodiscard]] io::FieldWriter open_fields(const std::string& folder, const Domain& domain,
+                                          const grid::Block& block,
+                                          const io::Provenance& provenance,
+                                          const par::Communicator& comm, Start start = Start::fresh,
+                                          Real time = 0);
+
+/// A step: velocity [m/s], pressure [Pa], solid_fraction of grains; with_fluid: also `fluid`, which is 0
+/// in particles too. Collective.
+void write_fields(io::FieldWriter& writer, Real time, const flow::StokesSolver::CellFields& fields,
+                  std::span<const float> solid, bool with_fluid = false);
 
 }  // namespace porefines::sim

@@ -61,7 +61,8 @@ void write_flow(const config::Case& the_case, const std::string& folder, const P
   flow::StokesSolver::CellFields fields = solver.cell_fields();
   to_case_units(fields, solution.scale, solution.offset);
   if (config::find_output(the_case, config::OutputKind::fields)) {
-    write_fields(folder, prepared.domain, fields, solid, solver.block(), provenance, comm);
+    io::FieldWriter writer = open_fields(folder, prepared.domain, solver.block(), provenance, comm);
+    write_fields(writer, 0, fields, solid);
   }
   stop_if_asked(comm);
   if (config::find_output(the_case, config::OutputKind::pictures)) {

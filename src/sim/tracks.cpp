@@ -7,7 +7,8 @@
 #include <numeric>
 
 #include <fmt/format.h>
-#include <mpi.h>
+
+#include "par/gather.hpp"
 
 namespace porefines::sim {
 namespace {
@@ -29,15 +30,7 @@ void pack(const dem::Particles& p, std::size_t i, std::vector<Real>& out) {
 
 /// All ranks' numbers on rank 0, sorted by id.
 std::vector<Real> gather_sorted(const par::Communicator& comm, const std::vector<Real>& mine) {
-  const int count = static_cast<int>(mine.size());
-  std::vector<int> counts(static_cast<std::size_t>(comm.size()));
-  MPI_Gather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, comm.handle());
-  std::vector<int> starts(counts.size(), 0);
-  std::partial_sum(counts.begin(), counts.end() - 1, starts.begin() + 1);
-  std::vector<Real> all(comm.is_root() ? static_cast<std::size_t>(starts.back() + counts.back())
-                                       : 0);
-  MPI_Gatherv(mine.data(), count, MPI_DOUBLE, all.data(), counts.data(), starts.data(), MPI_DOUBLE,
-              0, comm.handle());
+  const std::vector<Real> all = par::gather(comm, mine);
   std::vector<std::size_t> order(all.size() / width);
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(),
