@@ -115,7 +115,8 @@ int run_coupled_case(const config::Case& the_case, const RunOptions& options,
   facts.plan = prepared.plan;
   facts.provenance = provenance;
 
-  CoupledRun run = make_coupled_run(the_case, prepared.sample, domain, prepared.cut, solver, clean,
+  const config::Case boxed = with_box_of_flow(the_case);
+  CoupledRun run = make_coupled_run(boxed, prepared.sample, domain, prepared.cut, solver, clean,
                                     facts.porosity.connected, comm);
   if (options.restart) {
     go_on(run, folder);

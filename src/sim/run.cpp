@@ -13,7 +13,6 @@
 #include "core/memory.hpp"
 #include "core/signals.hpp"
 #include "sim/coupled_run.hpp"
-#include "sim/coupled_state.hpp"
 #include "sim/dry_run.hpp"
 #include "sim/pictures.hpp"
 #include "sim/prepare.hpp"
@@ -121,7 +120,7 @@ int run(const config::Case& the_case, const RunOptions& options) {
   std::optional<Log> log;
   try {
     if (config::is_coupled(the_case)) {
-      return run_coupled_case(with_box_of_flow(the_case), options, comm, log);
+      return run_coupled_case(the_case, options, comm, log);
     }
     simulate(the_case, options, comm, log);
     return exit_code::done;

@@ -176,6 +176,14 @@ TEST_F(Coupled, limits_end_the_run_with_their_reason) {
   EXPECT_NE(summary().find("pore volumes have passed"), std::string::npos) << summary();
 }
 
+TEST_F(Coupled, its_case_file_runs_again) {
+  ASSERT_EQ(run(slit_case, {"run.end_time=1 ms"}).exit_code, 0);
+  const auto again =
+      test::run_in(folder_.path(), {PF_BINARY, "run", "out/case.toml", "-o", "again"});
+  ASSERT_EQ(again.exit_code, 0) << again.output;
+  EXPECT_EQ(read_text(folder_ / "out/series.csv"), read_text(folder_ / "again/series.csv"));
+}
+
 TEST_F(Coupled, wrong_input_is_refused) {
   std::string content = slit_case;
   content.replace(content.find("face = \"x-\"\nvolume"), 11, "face = \"z+\"");
