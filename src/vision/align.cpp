@@ -80,8 +80,8 @@ cv::Point2d best_shift(const cv::Mat& video, const cv::Mat& padded_run) {
   cv::matchTemplate(padded_run, video, correlation, cv::TM_CCORR);
   cv::Point top;
   cv::minMaxLoc(correlation, nullptr, nullptr, nullptr, &top);
-  return {static_cast<Real>(coarse * (top.x - video.cols / 2)),
-          static_cast<Real>(coarse * (top.y - video.rows / 2))};
+  const cv::Point shift = coarse * (top - cv::Point(video.cols / 2, video.rows / 2));
+  return {static_cast<Real>(shift.x), static_cast<Real>(shift.y)};
 }
 
 Warp search(const cv::Mat& video, const cv::Mat& inside, const cv::Mat& run,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
@@ -130,9 +131,9 @@ std::string SpeedMap::table() const {
   for (std::size_t k = 0; k < count_.size(); ++k) {
     if (count_[k] > 0) {
       const Real edge = cell_ * scale_.pixel_size;
-      text += fmt::format("{},{},{},{},{},{}\n", (static_cast<int>(k) % nx_ + 0.5) * edge,
-                          (static_cast<int>(k) / nx_ + 0.5) * edge, u_[k] / count_[k],
-                          v_[k] / count_[k], speed_[k] / count_[k], count_[k]);
+      const std::div_t at = std::div(static_cast<int>(k), nx_);
+      text += fmt::format("{},{},{},{},{},{}\n", (at.rem + 0.5) * edge, (at.quot + 0.5) * edge,
+                          u_[k] / count_[k], v_[k] / count_[k], speed_[k] / count_[k], count_[k]);
     }
   }
   return text;
