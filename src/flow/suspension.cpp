@@ -136,7 +136,6 @@ void StokesSolver::lift_spheres() {
 
 /// Those of the last set_spheres, after lift_spheres().
 void StokesSolver::place_given() {
-  show_held_to_coarse_levels();
   spheres_->place(scaled_spheres(), scaled_walls(), roughness_ / spacing_.x);
   operator_->attach(spheres_.get());
 }
@@ -153,6 +152,7 @@ void StokesSolver::place_and_guess(const Drive& drive, Packed<float>& b, bool wa
   }
   lift_spheres();
   b = right_hand_side(drive);
+  show_held_to_coarse_levels();  // writes over the unknowns of all levels
   if (!warm) {
     op.load_unknowns(first_guess(drive));
   }
@@ -189,6 +189,7 @@ void StokesSolver::recall(const Memory& memory) {
   set_spheres(memory.spheres);
   scale_ = memory.scale;
   lift_spheres();
+  show_held_to_coarse_levels();
   place_given();
   x_.assign(memory.unknowns.begin(), memory.unknowns.end());
   if (x_.size() != operator_->size()) {
