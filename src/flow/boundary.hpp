@@ -15,7 +15,14 @@ namespace porefines::flow {
 /// - pressure: p given on the face, flow crosses it normally (u_t = 0, du_n/dn = 0): the symmetry
 ///   of a Stokes flow whose pressure is odd about the face. Exact for a straight duct.
 /// - velocity: u_n given where the face is open, u_t = 0.
-enum class FaceKind { periodic, wall, slip, pressure, velocity };
+/// - outflow: p given on the face, du/dn = 0 for all components: lets vortices leave.
+/// - lid: a wall that moves in its own plane, u_t given.
+enum class FaceKind { periodic, wall, slip, pressure, velocity, outflow, lid };
+
+/// Is the pressure given there?
+[[nodiscard]] constexpr bool gives_pressure(FaceKind kind) {
+  return kind == FaceKind::pressure || kind == FaceKind::outflow;
+}
 
 /// Kinds of the six box faces, indexed by BoxFace.
 struct Boundaries {
@@ -29,8 +36,7 @@ struct Boundaries {
   }
   /// Does a velocity unknown live on this box face?
   [[nodiscard]] bool open(int axis, bool high) const {
-    const FaceKind k = at(axis, high);
-    return k == FaceKind::periodic || k == FaceKind::pressure;
+    return at(axis, high) == FaceKind::periodic || gives_pressure(at(axis, high));
   }
 };
 

@@ -69,7 +69,7 @@ class Faces {
   }
 
   /// What the box walls parallel to this component do to a face: a half-cell link on every side with
-  /// a no-slip wall (friction +e, weight as for a grain surface there), -e for slip.
+  /// a no-slip wall (friction +e, weight as for a grain surface there), -e for slip and outflow.
   [[nodiscard]] Link box_link(int i, int j, int k) const {
     const Int3 index{i, j, k};
     Link link{0, 1};
@@ -82,7 +82,7 @@ class Faces {
       Real reach = 1;  // mean link length across the wall
       const auto meet = [&](bool high, float e) {
         const FaceKind kind = boundaries_.at(a, high);
-        link.excess += kind == FaceKind::slip ? -e : e;
+        link.excess += kind == FaceKind::slip || kind == FaceKind::outflow ? -e : e;
         reach -= kind == FaceKind::wall ? 0.25 : 0;
       };
       if (here == 0) {

@@ -73,6 +73,14 @@ class Operator {
     }
   }
 
+  /// Calls visit(i, j, k, position) for every line: of its first cell, and of its first number.
+  template <typename Visit>
+  void for_each_line(const Visit& visit) const {
+    for (std::size_t line = 0; line < lines_.size(); ++line) {
+      visit(lines_[line].i, lines_[line].j, lines_[line].k, line * packed_width);
+    }
+  }
+
   [[nodiscard]] Level& level() { return level_; }
   [[nodiscard]] const Level& level() const { return level_; }
   [[nodiscard]] const Friction& friction() const { return friction_; }

@@ -38,8 +38,7 @@ void StokesSolver::finish_setup(Friction friction) {
 }
 
 bool StokesSolver::pressure_pair(int axis) const {
-  return boundaries_.at(axis, false) == FaceKind::pressure &&
-         boundaries_.at(axis, true) == FaceKind::pressure;
+  return gives_pressure(boundaries_.at(axis, false)) && gives_pressure(boundaries_.at(axis, true));
 }
 
 Real StokesSolver::force_scale(const Drive& drive) const {
@@ -50,7 +49,9 @@ Real StokesSolver::force_scale(const Drive& drive) const {
     const Real value = drive.face_value[face];
     if (boundaries_.kind[face] == FaceKind::velocity) {
       scale = std::max(scale, std::abs(value) * viscosity_ / (spacing_.x * spacing_.x));
-    } else if (boundaries_.kind[face] == FaceKind::pressure) {
+    } else if (boundaries_.kind[face] == FaceKind::lid) {
+      scale = std::max(scale, norm(drive.lid[face]) * viscosity_ / (spacing_.x * spacing_.x));
+    } else if (gives_pressure(boundaries_.kind[face])) {
       lowest = std::min(lowest, value);
       highest = std::max(highest, value);
     }
@@ -77,9 +78,28 @@ struct ScaledDrive {
   Real velocity = 1;  ///< [m/s]
 };
 
+/// Pull of moving walls on the layer of faces beside them, half a cell away: 2 e u_wall.
+float lid_drive(const Level& level, const Boundaries& boundaries, const ScaledDrive& d, int c,
+                const Int3& index) {
+  Real sum = 0;
+  for (int a = 0; a < 3; ++a) {
+    const auto& axis = level.axis[a];
+    const int here = global(level.block, a, index[a]);
+    for (const bool high : {false, true}) {
+      const bool beside = a != c && here == (high ? level.block.global[a] - 1 : 0);
+      if (beside && boundaries.at(a, high) == FaceKind::lid) {
+        const auto& e = high ? axis.cell_high : axis.cell_low;
+        sum += 2 * e[index[a] + axis.offset] * d.drive.lid[2 * a + (high ? 1 : 0)][c] / d.velocity;
+      }
+    }
+  }
+  return static_cast<float>(sum);
+}
+
 /// What drives the momentum of a face: the force, and the value behind a pressure or velocity face.
 float face_drive(const Level& level, const Boundaries& boundaries, const ScaledDrive& d, int c,
-                 int local, std::ptrdiff_t cell) {
+                 const Int3& index, std::ptrdiff_t cell) {
+  const int local = index[c];
   const auto& axis = level.axis[c];
   const int here = global(level.block, c, local);
   const int total = level.block.global[c];
@@ -89,14 +109,14 @@ float face_drive(const Level& level, const Boundaries& boundaries, const ScaledD
   for (const bool high : {false, true}) {
     const FaceKind kind = boundaries.at(c, high);
     const Real value = d.drive.face_value[2 * c + (high ? 1 : 0)];
-    if (kind == FaceKind::pressure && here == (high ? total : 0)) {
+    if (gives_pressure(kind) && here == (high ? total : 0)) {
       sum += static_cast<float>((high ? -1 : 1) * weight * gradient * value / d.pressure);
     } else if (kind == FaceKind::velocity && here == (high ? total - 1 : 1)) {
       const auto& e = high ? axis.face_high : axis.face_low;
       sum += static_cast<float>(e[local + axis.offset] * value / d.velocity);
     }
   }
-  return sum;
+  return sum + lid_drive(level, boundaries, d, c, index);
 }
 
 /// Inflow through velocity faces along an axis, where the face behind is open.
@@ -127,7 +147,7 @@ Packed<float> StokesSolver::right_hand_side(const Drive& drive) const {
     const Int3 index{i, j, k};
     const std::ptrdiff_t cell = level.block.at(i, j, k);
     if (c < 3) {
-      b[at] = face_drive(level, boundaries_, d, c, index[c], cell);
+      b[at] = face_drive(level, boundaries_, d, c, index, cell);
       return;
     }
     for (int a = 0; a < 3; ++a) {
@@ -197,9 +217,7 @@ SolveReport StokesSolver::solve(const Drive& drive, SolveOptions options) {
 /// Of the strongest flux among the axes; 0 where fluid may leave sideways and fluxes need not agree.
 Real StokesSolver::flux_variation() const {
   const auto opens = [&](int a) {
-    const auto given = [](FaceKind k) {
-      return k == FaceKind::pressure || k == FaceKind::velocity;
-    };
+    const auto given = [](FaceKind k) { return gives_pressure(k) || k == FaceKind::velocity; };
     return given(boundaries_.at(a, false)) || given(boundaries_.at(a, true));
   };
   Real strongest = 0;

@@ -17,6 +17,7 @@ struct Drive {
   Vec3 force;  ///< [Pa/m] body force, or minus the mean pressure gradient of a periodic box
   /// [Pa] at pressure faces; [m/s] along +axis at velocity faces; unused elsewhere.
   std::array<Real, 6> face_value{};
+  std::array<Vec3, 6> lid{};  ///< [m/s] of moving walls, along them
 };
 
 /// A rigid sphere in the flow. SI.
@@ -115,10 +116,28 @@ class StokesSolver {
   [[nodiscard]] Hierarchy& hierarchy() { return hierarchy_; }
   [[nodiscard]] Index fluid_cells() const;
 
+  /// What InertialFlow builds on: the same unknowns and rows, and the units that they are in.
+  struct Parts {
+    const par::Communicator& comm;
+    const Boundaries& boundaries;
+    Vec3 spacing;    ///< [m]
+    Real viscosity;  ///< [Pa s]
+    Hierarchy& hierarchy;
+    Operator& equations;
+    Friction& friction;
+    Packed<double>& unknowns;
+    Real& scale;  ///< [Pa/m] force that is 1 inside
+  };
+  [[nodiscard]] Parts parts() {
+    return {comm_,      boundaries_, spacing_, viscosity_, hierarchy_,
+            *operator_, *friction_,  x_,       scale_};
+  }
+  /// Of the rows, in the units that `scale` sets.
+  [[nodiscard]] Packed<float> right_hand_side(const Drive& drive) const;
+
  private:
   void finish_setup(Friction friction);
   [[nodiscard]] Real force_scale(const Drive& drive) const;
-  [[nodiscard]] Packed<float> right_hand_side(const Drive& drive) const;
   [[nodiscard]] Packed<double> first_guess(const Drive& drive) const;
   [[nodiscard]] Real reference_norm(const Drive& drive, const Packed<float>& b) const;
   [[nodiscard]] Real length(int axis) const { return spacing_[axis] * block().global[axis]; }

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MPL-2.0
+#include "flow/inertial_flow.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace porefines::flow {
+
+namespace {
+
+constexpr int width = grid::line_width;
+
+/// a0, a1, a2 of the time term; `ratio` = this step over the last.
+std::array<Real, 3> coefficients(TimeScheme scheme, bool first, Real ratio) {
+  if (scheme == TimeScheme::midpoint) {
+    return {2, -2, 0};
+  }
+  if (scheme == TimeScheme::euler || first) {
+    return {1, -1, 0};
+  }
+  return {(1 + 2 * ratio) / (1 + ratio), -(1 + ratio), ratio * ratio / (1 + ratio)};
+}
+
+}  // namespace
+
+InertialFlow::InertialFlow(StokesSolver& solver, Real density, Scheme scheme, TimeScheme time,
+                           Real speed)
+    : solver_(solver),
+      parts_(solver.parts()),
+      density_(density),
+      scheme_in_time_(time),
+      base_(parts_.friction.excess),
+      base_inverse_(parts_.hierarchy.finest().inverse_diagonal),
+      advection_(parts_.hierarchy.finest(), parts_.boundaries, scheme),
+      u_(parts_.hierarchy.finest(), parts_.boundaries),
+      z_(parts_.hierarchy.finest(), parts_.boundaries) {
+  const Real h = parts_.spacing.x;
+  parts_.scale = speed * parts_.viscosity / (h * h);
+  inertia_ = density * speed * h / parts_.viscosity;
+  const std::size_t size = parts_.equations.size();
+  parts_.unknowns.assign(size, 0.0);
+  for (Packed<double>* v : {&old_, &older_, &history_, &r_, &image_}) {
+    v->assign(size, 0.0);
+  }
+  part_.assign(size, 0.0F);
+  carried_.assign(size, 0.0F);
+  weigh_inlets();
+}
+
+/// Faces of an inlet hold no unknowns, but carry momentum in: with weight 1 where fluid is behind.
+void InertialFlow::weigh_inlets() {
+  Level& level = parts_.hierarchy.finest();
+  const grid::Block& b = level.block;
+  for (int a = 0; a < 3; ++a) {
+    for (const bool high : {false, true}) {
+      const bool mine = high ? b.start[a] + b.n[a] == b.global[a] : b.start[a] == 0;
+      if (!mine || parts_.boundaries.at(a, high) != FaceKind::velocity) {
+        continue;
+      }
+      Int3 first{-b.ghost[0], -b.ghost[1], -b.ghost[2]};
+      Int3 last{b.n[0] + b.ghost[0], b.n[1] + b.ghost[1], b.n[2] + b.ghost[2]};
+      first[a] = last[a] = high ? b.n[a] : 0;
+      for (int k = first[2]; k <= last[2]; ++k) {
+        for (int j = first[1]; j <= last[1]; ++j) {
+          for (int i = first[0]; i <= last[0]; ++i) {
+            level.weight[a][b.at(i, j, k)] = 1;
+          }
+        }
+      }
+    }
+  }
+}
+
+Real InertialFlow::velocity_unit() const {
+  return parts_.scale * parts_.spacing.x * parts_.spacing.x / parts_.viscosity;
+}
+
+void InertialFlow::set_velocity(const std::function<Vec3(const Vec3&)>& velocity) {
+  const grid::Block& b = parts_.hierarchy.finest().block;
+  const Real unit = velocity_unit();
+  parts_.equations.for_each([&](int c, int i, int j, int k, std::size_t at) {
+    const Int3 index{i, j, k};
+    Vec3 x;
+    for (int a = 0; a < 3; ++a) {
+      x[a] = (index[a] + b.start[a] + (a == c ? 0.0 : 0.5)) * parts_.spacing[a];
+    }
+    parts_.unknowns[at] = c < 3 ? velocity(x)[c] / unit : 0;
+  });
+  states_ = 1;
+}
+
+std::array<Real, 6> InertialFlow::inlet_values(const Drive& drive) const {
+  std::array<Real, 6> values{};
+  for (std::size_t face = 0; face < 6; ++face) {
+    const bool given = parts_.boundaries.kind[face] == FaceKind::velocity;
+    values[face] = given ? drive.face_value[face] / velocity_unit() : 0;
+  }
+  return values;
+}
+
+/// Weight of u in the momentum rows: on the diagonal of every level, on the coarse ones through the
+/// mobility. Coarse levels of a weight not too far away do as well.
+void InertialFlow::set_weight(Real weight) {
+  constexpr Real near = 4.0 / 3;
+  if (weight == weight_) {
+    return;
+  }
+  weight_ = weight;
+  Level& level = parts_.hierarchy.finest();
+  for (int c = 0; c < 3; ++c) {
+    for (std::size_t at = 0; at < level.block.size; ++at) {
+      if (base_inverse_[c][at] != 0) {
+        const float base = base_[c][at];
+        const auto now = static_cast<float>(base + weight * level.weight[c][at]);
+        parts_.friction.excess[c][at] = now;
+        const Real diagonal = 1 / static_cast<Real>(base_inverse_[c][at]) - base + now;
+        level.inverse_diagonal[c][at] = static_cast<float>(1 / diagonal);
+      }
+    }
+  }
+  finish_level(level);
+  if (built_ == 0 || weight > near * built_ || built_ > near * weight) {
+    parts_.hierarchy.build();
+    built_ = weight;
+  }
+}
+
+/// First guess: the last step once more, scaled by `ratio`; the last step is kept.
+void InertialFlow::find_guess(Real ratio) {
+  Packed<double>& x = parts_.unknowns;
+  const bool middle = scheme_in_time_ == TimeScheme::midpoint;
+  for (std::size_t line = 0; line < x.size(); line += packed_width) {
+    for (std::size_t at = line; at < line + packed_width; ++at) {
+      const bool velocity = at < line + 3 * width;
+      const double now = x[at];
+      const double change = states_ > 1 ? ratio * (now - old_[at]) : 0;
+      x[at] += middle && velocity ? change / 2 : change;
+      older_[at] = old_[at];
+      old_[at] = now;
+    }
+  }
+}
+
+StepReport InertialFlow::advance(Real step, const Drive& drive, const StepOptions& options) {
+  const Real ratio = last_step_ > 0 ? step / last_step_ : 1;
+  const auto [a0, a1, a2] = coefficients(scheme_in_time_, states_ == 1, ratio);
+  const Real h = parts_.spacing.x;
+  set_weight(a0 * density_ * h * h / (parts_.viscosity * step));
+  find_guess(ratio);
+  for (std::size_t at = 0; at < history_.size(); ++at) {
+    history_[at] = -(a1 * old_[at] + a2 * older_[at]) / a0;
+  }
+  inlet_ = inlet_values(drive);
+  const StepReport report = solve(solver_.right_hand_side(drive), options);
+  if (scheme_in_time_ == TimeScheme::midpoint) {
+    Packed<double>& x = parts_.unknowns;
+    for (std::size_t line = 0; line < x.size(); line += packed_width) {
+      for (std::size_t at = line; at < line + 3 * width; ++at) {
+        x[at] = 2 * x[at] - old_[at];
+      }
+    }
+  }
+  time_ += step;
+  last_step_ = step;
+  states_ = std::min(states_ + 1, 3);
+  return report;
+}
+
+void InertialFlow::show_velocity(const Drive& drive) {
+  inlet_ = inlet_values(drive);
+  u_.load(parts_.hierarchy.finest(), parts_.equations, parts_.unknowns, inlet_, u_);
+}
+
+Real InertialFlow::crossing_rate() {
+  const Level& level = parts_.hierarchy.finest();
+  const grid::Block& b = level.block;
+  u_.load(parts_.hierarchy.finest(), parts_.equations, parts_.unknowns, inlet_, u_);
+  float fastest = 0;
+  for (int k = 0; k < b.n[2]; ++k) {
+    for (int j = 0; j < b.n[1]; ++j) {
+      for (int i = 0; i < b.n[0]; ++i) {
+        const std::ptrdiff_t at = b.at(i, j, k);
+        float sum = 0;
+        for (int a = 0; a < 3; ++a) {
+          const float* u = u_.data(a) + at;
+          sum += (std::abs(u[0]) + std::abs(u[b.stride(a)])) *
+                 static_cast<float>(0.5 / level.widths[a].front());
+        }
+        fastest = std::max(fastest, sum);
+      }
+    }
+  }
+  return parts_.comm.max(static_cast<Real>(fastest)) * velocity_unit() / parts_.spacing.x;
+}
+
+Real InertialFlow::kinetic_energy() const {
+  const Level& level = parts_.hierarchy.finest();
+  Real sum = 0;
+  parts_.equations.for_each([&](int c, int i, int j, int k, std::size_t at) {
+    const Real u = parts_.unknowns[at];
+    sum += c < 3 ? level.weight[c][level.block.at(i, j, k)] * u * u : 0;
+  });
+  const Vec3& h = parts_.spacing;
+  const Real unit = velocity_unit();
+  return parts_.comm.sum(sum) * unit * unit * density_ / 2 * h.x * h.y * h.z;
+}
+
+InertialFlow::Memory InertialFlow::remember() const {
+  const auto copy = [](const Packed<double>& v) { return std::vector<Real>(v.begin(), v.end()); };
+  return {copy(parts_.unknowns), copy(old_), time_, last_step_, built_, states_};
+}
+
+void InertialFlow::recall(const Memory& memory) {
+  parts_.unknowns.assign(memory.now.begin(), memory.now.end());
+  old_.assign(memory.old.begin(), memory.old.end());
+  time_ = memory.time;
+  last_step_ = memory.step;
+  states_ = memory.states;
+  if (memory.built > 0) {
+    set_weight(memory.built);  // the coarse levels are those of this weight
+  }
+}
+
+InertialFlow::SteadyReport InertialFlow::settle(const Drive& drive, const StepOptions& options,
+                                                int max_steps) {
+  constexpr int easy = 12;  // cycles of a step that may grow
+  constexpr int hard = 40;  // of one that must shrink
+  SteadyReport report;
+  scheme_in_time_ = TimeScheme::euler;
+  StepOptions rough = options;
+  rough.tolerance = options.tolerance;
+  Real courant = 1;
+  while (report.steps < max_steps && !report.converged) {
+    const Real rate = crossing_rate();
+    const Real step = rate > 0 ? courant / rate
+                               : density_ * parts_.spacing.x * parts_.spacing.x / parts_.viscosity;
+    states_ = 1;  // no extrapolation: it would undo the damping
+    const StepReport one = advance(step, drive, rough);
+    report.cycles += one.cycles;
+    ++report.steps;
+    report.residual = change() / step / crossing_rate();
+    report.converged = one.converged && report.residual <= options.tolerance;
+    if (options.interrupted && options.interrupted()) {
+      break;
+    }
+    courant *= one.cycles <= easy ? 1.5 : one.cycles >= hard ? 0.5 : 1;
+  }
+  return report;
+}
+
+}  // namespace porefines::flow

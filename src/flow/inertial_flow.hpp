@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <vector>
+
+#include "flow/advection.hpp"
+#include "flow/stokes.hpp"
+
+namespace porefines::flow {
+
+/// Steps in time.
+enum class TimeScheme {
+  euler,    ///< backward Euler, first order: the thesis's
+  bdf2,     ///< backward differences over three times, second order; its first step is Euler's
+  midpoint  ///< implicit midpoint, second order: with linear interpolation it keeps the energy
+};
+
+struct StepOptions {
+  Real tolerance =
+      1e-6;  ///< of the rows' residual as a velocity, relative to the norm of the velocity
+  int max_cycles = 100;
+  int directions = 3;  ///< search directions kept
+  std::function<bool()> interrupted = {};
+};
+
+struct StepReport {
+  int cycles = 0;
+  int evaluations = 0;  ///< of the whole nonlinear residual
+  Real residual = 0;
+  bool converged = false;
+};
+
+/// Unsteady flow with inertia, on the unknowns of a StokesSolver.
+///
+///     rho W (a0 u + a1 u_old + a2 u_older)/dt + rho A(u, u) - mu lap u + W grad p = W f,   div W u = 0
+///
+/// with a = (1, -1, 0) for Euler, (3/2, -2, 1/2) for equal steps of BDF2. Midpoint solves for the mean of
+/// old and new, a = (2, -2, 0), u_new = 2 u - u_old. All terms stand at the new time (or the middle):
+/// no step is too large for stability, the Courant number is a matter of accuracy and of cycles.
+///
+/// Each step is one nonlinear solve for velocity and pressure together, from the extrapolated last steps:
+/// generalised conjugate residuals with the multigrid cycle of the linear rows without A as
+/// preconditioner, where the image of a direction holds A(u, z) + A(z, u): Newton's method, its linear
+/// systems solved just far enough. Residuals of momentum are divided by the diagonal, so that they
+/// count as velocities, as those of continuity do.
+///
+/// Pressure after a step is that at the time of the rows: of midpoint half a step earlier.
+/// Tests: verification/start_up, taylor_green, cavity; mpi/inertial.
+class InertialFlow {
+ public:
+  /// @param solver  with its geometry set; its results are those of the last step from now on
+  /// @param speed   [m/s] that is about 1 inside
+  InertialFlow(StokesSolver& solver, Real density, Scheme scheme, TimeScheme time, Real speed);
+
+  /// Velocity at t = 0, at face centres [m from the low corner of the grid].
+  void set_velocity(const std::function<Vec3(const Vec3&)>& velocity);
+
+  /// One step [s]. Steps may differ; a changed one costs a set-up of the coarse levels when it moves by
+  /// more than a third. Collective.
+  StepReport advance(Real step, const Drive& drive, const StepOptions& options);
+
+  /// The steady flow, without regard for how it comes about: Euler steps that grow as they converge.
+  /// @return  steps taken; `residual` of the steady rows
+  struct SteadyReport {
+    int steps = 0;
+    int cycles = 0;
+    Real residual = 0;
+    bool converged = false;
+  };
+  SteadyReport settle(const Drive& drive, const StepOptions& options, int max_steps);
+
+  [[nodiscard]] Real time() const { return time_; }
+  /// [1/s] largest sum over axes of mean |u|/h in a cell: times a step, its Courant number. Collective.
+  [[nodiscard]] Real crossing_rate();
+  /// [J] rho/2 sum W u^2 over all faces, times the volume of a cell. Collective.
+  [[nodiscard]] Real kinetic_energy() const;
+
+  /// What a run goes on from, bit for bit.
+  struct Memory {
+    std::vector<Real> now, old;
+    Real time = 0;
+    Real step = 0;   ///< of the last step
+    Real built = 0;  ///< weight that the coarse levels stand for
+    int states = 0;  ///< known
+  };
+  [[nodiscard]] Memory remember() const;
+  void recall(const Memory& memory);
+
+  [[nodiscard]] const FaceVelocity& velocity() const { return u_; }
+  [[nodiscard]] const Advection& advection() const { return advection_; }
+  /// rho V h / mu of the velocity unit: what A is multiplied by in the rows.
+  [[nodiscard]] Real inertia() const { return inertia_; }
+  /// Wall friction without the weight of time, as the grains' links make it.
+  [[nodiscard]] const Floats3& friction() const { return base_; }
+  /// Loads the present velocity for velocity(). Collective.
+  void show_velocity(const Drive& drive);
+
+ private:
+  struct Direction {
+    Packed<float> z, q;
+    Real square = 0;
+  };
+  void weigh_inlets();
+  void set_weight(Real weight);
+  void find_guess(Real ratio);
+  void find_residual(const Packed<float>& b);
+  void search(bool stalled, Real size);
+  Real descend(std::size_t most);
+  StepReport solve(const Packed<float>& b, const StepOptions& options);
+  /// Of a packed vector as a velocity: momentum counted by its diagonal.
+  template <typename T>
+  [[nodiscard]] Real row_norm(const Packed<T>& rows) const;
+  [[nodiscard]] Real row_factor() const;
+  [[nodiscard]] std::array<Real, 6> inlet_values(const Drive& drive) const;
+  [[nodiscard]] Real velocity_unit() const;
+  [[nodiscard]] Real velocity_norm() const;
+  [[nodiscard]] Real change() const;
+
+  StokesSolver& solver_;
+  StokesSolver::Parts parts_;
+  Real density_;
+  TimeScheme scheme_in_time_;
+  Real inertia_ = 0;
+  Floats3 base_;          ///< friction without the time term
+  Floats3 base_inverse_;  ///< 1/d without it
+  Real weight_ = -1;      ///< of u in the rows: a0 rho h^2/(mu dt)
+  Real built_ = 0;        ///< the same, for which the coarse levels were made
+  Advection advection_;
+  FaceVelocity u_;
+  FaceVelocity z_;
+  std::array<Real, 6> inlet_{};
+  Packed<double> old_, older_;  ///< one and two steps ago
+  Packed<double> history_;      ///< what the rows draw u to by the time term
+  Packed<double> r_;
+  Packed<double> image_;
+  Packed<float> part_;
+  Packed<float> carried_;
+  std::deque<Direction> kept_;
+  Real time_ = 0;
+  Real last_step_ = 0;
+  int states_ = 1;  ///< known times, the present one included
+};
+
+}  // namespace porefines::flow

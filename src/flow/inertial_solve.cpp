@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MPL-2.0
+// The nonlinear solve of one step of InertialFlow.
+#include <cmath>
+
+#include "flow/inertial_flow.hpp"
+
+namespace porefines::flow {
+
+namespace {
+
+constexpr int width = grid::line_width;
+constexpr Real vanishing = 1e-10;  ///< share of a direction's square that float can still tell
+constexpr Real little_gain = 0.8;  ///< of the residual left: the cycle gained little
+constexpr Real trusted = 1e-2;  ///< reduction after which the linearised residual is looked at anew
+
+/// Sum of a b over lines, momentum and continuity apart, one accumulator per lane.
+class RowSum {
+ public:
+  template <typename A, typename B>
+  void add(const A* a, const B* b) {
+    for (int c = 0; c < 3; ++c) {
+      for (int l = 0; l < width; ++l) {
+        momentum_[l] +=
+            static_cast<double>(a[c * width + l]) * static_cast<double>(b[c * width + l]);
+      }
+    }
+    for (int l = 0; l < width; ++l) {
+      continuity_[l] +=
+          static_cast<double>(a[3 * width + l]) * static_cast<double>(b[3 * width + l]);
+    }
+  }
+  [[nodiscard]] double value(double factor) const {
+    double total = 0;
+    for (int l = 0; l < width; ++l) {
+      total += factor * momentum_[l] + continuity_[l];
+    }
+    return total;
+  }
+
+ private:
+  std::array<double, width> momentum_{};
+  std::array<double, width> continuity_{};
+};
+
+}  // namespace
+
+/// 1/d^2 in the bulk: momentum rows over their diagonal are velocities.
+Real InertialFlow::row_factor() const {
+  Real diagonal = weight_;
+  for (const auto& w : parts_.hierarchy.finest().widths) {
+    diagonal += w.size() > 1 ? 2 / (w.front() * w.front()) : 0;
+  }
+  return 1 / (diagonal * diagonal);
+}
+
+template <typename T>
+Real InertialFlow::row_norm(const Packed<T>& rows) const {
+  RowSum sum;
+  for (std::size_t at = 0; at < rows.size(); at += packed_width) {
+    sum.add(rows.data() + at, rows.data() + at);
+  }
+  return std::sqrt(parts_.comm.sum(sum.value(row_factor())));
+}
+
+Real InertialFlow::velocity_norm() const {
+  const Packed<double>& x = parts_.unknowns;
+  Real total = 0;
+  for (std::size_t at = 0; at < x.size(); at += packed_width) {
+    for (int l = 0; l < 3 * width; ++l) {
+      total += x[at + l] * x[at + l];
+    }
+  }
+  return std::sqrt(parts_.comm.sum(total));
+}
+
+/// |u - u_old| / |u|.
+Real InertialFlow::change() const {
+  const Packed<double>& x = parts_.unknowns;
+  Real total = 0;
+  for (std::size_t at = 0; at < x.size(); at += packed_width) {
+    for (int l = 0; l < 3 * width; ++l) {
+      const double d = x[at + l] - old_[at + l];
+      total += d * d;
+    }
+  }
+  const Real size = velocity_norm();
+  return size > 0 ? std::sqrt(parts_.comm.sum(total)) / size : 0;
+}
+
+/// r = b + c (history - u) - K (u, p) - inertia A(u, u), c being the time term's coefficient; in double,
+/// with the unknowns split into two floats. Leaves the velocity in u_.
+void InertialFlow::find_residual(const Packed<float>& b) {
+  Operator& op = parts_.equations;
+  Level& level = parts_.hierarchy.finest();
+  const Packed<double>& x = parts_.unknowns;
+  u_.load(level, op, x, inlet_, u_);
+  advection_.apply(op, u_, carried_);
+  for (std::size_t at = 0; at < x.size(); ++at) {
+    r_[at] = b[at] - inertia_ * carried_[at];
+    part_[at] = static_cast<float>(x[at]);
+  }
+  op.for_each_line([&](int i, int j, int k, std::size_t line) {
+    const std::ptrdiff_t face = level.block.at(i, j, k);
+    for (int c = 0; c < 3; ++c) {
+      const float* with = parts_.friction.excess[c].data() + face;
+      const float* without = base_[c].data() + face;
+      const std::size_t at = line + c * width;
+      for (int l = 0; l < width; ++l) {
+        const double weight = static_cast<double>(with[l]) - without[l];
+        r_[at + l] += weight * history_[at + l];
+      }
+    }
+  });
+  for (int half = 0; half < 2; ++half) {
+    op.load_unknowns(part_);
+    op.apply(image_);
+    for (std::size_t at = 0; at < x.size(); ++at) {
+      r_[at] -= image_[at];
+      part_[at] = static_cast<float>(x[at] - static_cast<double>(part_[at]));
+    }
+  }
+}
+
+/// A new direction z from the residual, or from the last image where that led nowhere, and its image
+/// q = (K + inertia A'(u)) z.
+void InertialFlow::search(bool stalled, Real size) {
+  Operator& op = parts_.equations;
+  Direction newest;
+  newest.z.resize(op.size());
+  newest.q.resize(op.size());
+  if (stalled) {
+    op.load_right_hand_side(kept_.back().q, 1 / std::sqrt(kept_.back().square));
+  } else {
+    op.load_right_hand_side(r_, 1 / size);
+  }
+  cycle(parts_.hierarchy);
+  op.store_unknowns(newest.z);
+  op.apply(newest.q);
+  z_.load(parts_.hierarchy.finest(), op, newest.z, {}, u_);
+  advection_.change(op, u_, z_, carried_);
+  const auto inertia = static_cast<float>(inertia_);
+  for (std::size_t at = 0; at < newest.q.size(); ++at) {
+    newest.q[at] += inertia * carried_[at];
+  }
+  kept_.push_back(std::move(newest));
+}
+
+/// Makes the newest direction orthogonal to the ones before and goes along it. @return |r| as a velocity
+Real InertialFlow::descend(std::size_t most) {
+  const Real factor = row_factor();
+  Direction& newest = kept_.back();
+  const std::size_t before = kept_.size() - 1;
+  std::vector<RowSum> sums(2 + before);
+  for (std::size_t at = 0; at < r_.size(); at += packed_width) {
+    sums[0].add(newest.q.data() + at, newest.q.data() + at);
+    sums[1].add(r_.data() + at, newest.q.data() + at);
+    for (std::size_t s = 0; s < before; ++s) {
+      sums[2 + s].add(newest.q.data() + at, kept_[s].q.data() + at);
+    }
+  }
+  std::vector<Real> dots;
+  for (const RowSum& sum : sums) {
+    dots.push_back(sum.value(factor));
+  }
+  parts_.comm.sum(dots);
+  newest.square = dots[0];
+  for (std::size_t s = 0; s < before; ++s) {
+    newest.square -= dots[2 + s] * dots[2 + s] / kept_[s].square;
+  }
+  const bool nothing_new = newest.square < vanishing * dots[0];
+  std::vector<float> beta(before, 0.0F);
+  if (nothing_new) {
+    newest.square = dots[0];
+  }
+  for (std::size_t s = 0; s < before && !nothing_new; ++s) {
+    beta[s] = static_cast<float>(dots[2 + s] / kept_[s].square);
+  }
+  const Real alpha = newest.square > 0 ? dots[1] / newest.square : 0;
+  Packed<double>& x = parts_.unknowns;
+  RowSum left;
+  for (std::size_t at = 0; at < x.size(); at += packed_width) {
+    float* z = newest.z.data() + at;
+    float* q = newest.q.data() + at;
+    for (std::size_t s = 0; s < before; ++s) {
+      const float* zs = kept_[s].z.data() + at;
+      const float* qs = kept_[s].q.data() + at;
+      for (int l = 0; l < packed_width; ++l) {
+        z[l] -= beta[s] * zs[l];
+        q[l] -= beta[s] * qs[l];
+      }
+    }
+    for (int l = 0; l < packed_width; ++l) {
+      x[at + l] += alpha * static_cast<double>(z[l]);
+      r_[at + l] -= alpha * static_cast<double>(q[l]);
+    }
+    left.add(r_.data() + at, r_.data() + at);
+  }
+  if (nothing_new) {
+    kept_.erase(kept_.begin(), kept_.end() - 1);
+  }
+  while (kept_.size() > most) {
+    kept_.pop_front();
+  }
+  return std::sqrt(parts_.comm.sum(left.value(factor)));
+}
+
+StepReport InertialFlow::solve(const Packed<float>& b, const StepOptions& options) {
+  StepReport report;
+  Real reference = velocity_norm();
+  while (true) {
+    find_residual(b);
+    kept_.clear();
+    ++report.evaluations;
+    const Real first = row_norm(r_);
+    reference = reference > 0 ? reference : first;
+    Real size = first;
+    const auto small = [&] { return size <= options.tolerance * reference; };
+    const auto exhausted = [&] {
+      return report.cycles >= options.max_cycles || !std::isfinite(size);
+    };
+    bool stalled = false;
+    while (size > 0 && !exhausted() && (report.cycles == 0 || !small()) && size > trusted * first) {
+      search(stalled, size);
+      const Real before = size;
+      size = descend(static_cast<std::size_t>(options.directions));
+      stalled = size > little_gain * before;
+      ++report.cycles;
+    }
+    report.residual = reference > 0 ? size / reference : 0;
+    report.converged = small();
+    const bool known = size > trusted * first || size == first;
+    if ((report.converged && known) || exhausted() ||
+        (options.interrupted && options.interrupted())) {
+      return report;
+    }
+  }
+}
+
+}  // namespace porefines::flow
