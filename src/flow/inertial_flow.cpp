@@ -141,6 +141,15 @@ void InertialFlow::find_guess(Real ratio) {
   }
 }
 
+/// Rows and inlets of a drive, anew where it changed.
+void InertialFlow::show_drive(const Drive& drive) {
+  if (!drive_ || !(*drive_ == drive)) {
+    drive_rows_ = solver_.right_hand_side(drive);
+    inlet_ = inlet_values(drive);
+    drive_ = drive;
+  }
+}
+
 StepReport InertialFlow::advance(Real step, const Drive& drive, const StepOptions& options) {
   const Real ratio = last_step_ > 0 ? step / last_step_ : 1;
   const auto [a0, a1, a2] = coefficients(scheme_in_time_, states_ == 1, ratio);
@@ -150,8 +159,8 @@ StepReport InertialFlow::advance(Real step, const Drive& drive, const StepOption
   for (std::size_t at = 0; at < history_.size(); ++at) {
     history_[at] = -(a1 * old_[at] + a2 * older_[at]) / a0;
   }
-  inlet_ = inlet_values(drive);
-  const StepReport report = solve(solver_.right_hand_side(drive), options);
+  show_drive(drive);
+  const StepReport report = solve(drive_rows_, options);
   if (scheme_in_time_ == TimeScheme::midpoint) {
     Packed<double>& x = parts_.unknowns;
     for (std::size_t line = 0; line < x.size(); line += packed_width) {
@@ -167,7 +176,7 @@ StepReport InertialFlow::advance(Real step, const Drive& drive, const StepOption
 }
 
 void InertialFlow::show_velocity(const Drive& drive) {
-  inlet_ = inlet_values(drive);
+  show_drive(drive);
   u_.load(parts_.hierarchy.finest(), parts_.equations, parts_.unknowns, inlet_, u_);
 }
 

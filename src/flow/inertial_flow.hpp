@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "flow/advection.hpp"
@@ -105,6 +106,8 @@ class InertialFlow {
   void weigh_inlets();
   void set_weight(Real weight);
   void find_guess(Real ratio);
+  void show_drive(const Drive& drive);
+  void drop_directions(std::size_t most);
   void find_residual(const Packed<float>& b);
   void search(bool stalled, Real size);
   Real descend(std::size_t most);
@@ -138,6 +141,9 @@ class InertialFlow {
   Packed<float> part_;
   Packed<float> carried_;
   std::deque<Direction> kept_;
+  std::vector<Direction> spare_;  ///< memory of former directions
+  Packed<float> drive_rows_;      ///< right-hand side of the last drive
+  std::optional<Drive> drive_;
   Real time_ = 0;
   Real last_step_ = 0;
   int states_ = 1;  ///< known times, the present one included

@@ -126,6 +126,10 @@ void InertialFlow::find_residual(const Packed<float>& b) {
 void InertialFlow::search(bool stalled, Real size) {
   Operator& op = parts_.equations;
   Direction newest;
+  if (!spare_.empty()) {
+    newest = std::move(spare_.back());
+    spare_.pop_back();
+  }
   newest.z.resize(op.size());
   newest.q.resize(op.size());
   if (stalled) {
@@ -143,6 +147,14 @@ void InertialFlow::search(bool stalled, Real size) {
     newest.q[at] += inertia * carried_[at];
   }
   kept_.push_back(std::move(newest));
+}
+
+/// The oldest ones go; their memory stays for those to come.
+void InertialFlow::drop_directions(std::size_t most) {
+  while (kept_.size() > most) {
+    spare_.push_back(std::move(kept_.front()));
+    kept_.pop_front();
+  }
 }
 
 /// Makes the newest direction orthogonal to the ones before and goes along it. @return |r| as a velocity
@@ -195,12 +207,7 @@ Real InertialFlow::descend(std::size_t most) {
     }
     left.add(r_.data() + at, r_.data() + at);
   }
-  if (nothing_new) {
-    kept_.erase(kept_.begin(), kept_.end() - 1);
-  }
-  while (kept_.size() > most) {
-    kept_.pop_front();
-  }
+  drop_directions(nothing_new ? 1 : most);
   return std::sqrt(parts_.comm.sum(left.value(factor)));
 }
 
@@ -209,7 +216,7 @@ StepReport InertialFlow::solve(const Packed<float>& b, const StepOptions& option
   Real reference = velocity_norm();
   while (true) {
     find_residual(b);
-    kept_.clear();
+    drop_directions(0);
     ++report.evaluations;
     const Real first = row_norm(r_);
     reference = reference > 0 ? reference : first;

@@ -18,6 +18,7 @@ struct Drive {
   /// [Pa] at pressure faces; [m/s] along +axis at velocity faces; unused elsewhere.
   std::array<Real, 6> face_value{};
   std::array<Vec3, 6> lid{};  ///< [m/s] of moving walls, along them
+  friend bool operator==(const Drive&, const Drive&) = default;
 };
 
 /// A rigid sphere in the flow. SI.
