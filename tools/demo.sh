@@ -46,7 +46,9 @@ fines() {
   printf "$2" "$(sed -n "s/^ *\"$1\": \([^,]*\),*$/\1/p" "$OUT/fines/summary.json")"
 }
 echo "and of the fines: $(fines particles_injected "%d") came in, $(fines particles_out "%d") left, k/k0 is $(fines permeability_ratio "%.3f") now:"
-echo "  $OUT/fines/particles.png         where they are"
+echo "  $OUT/fines/particles.png         where they are: piping, bridging, clogged"
+echo "  $OUT/fines/movie.mp4             how they came there"
+echo "  $OUT/fines/clogging.csv          which throat clogged when, by whom"
 echo "  $OUT/fines/series.csv            k/k0, concentrations, spread against pore volumes"
 echo "  $OUT/fines/tracks.csv            every fine's way"
 echo

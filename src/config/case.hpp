@@ -118,6 +118,18 @@ struct Coupling {
   friend bool operator==(const Coupling&, const Coupling&) = default;
 };
 
+/// [clogging]: when fines count as retained and throats as clogged; see theory-clogging.md.
+struct Clogging {
+  Real stop_share = 0.01;     ///< of the mean speed in the pores, below which a fine rests
+  Real hold_time = 0;         ///< [s] of rest until it is retained; 0: from its diameter
+  Real release_travel = 0.5;  ///< diameters
+  Real contact_gap = 0.05;    ///< diameters
+  Real reach = 2;             ///< diameters around a throat
+  Real sieve_share = 0.9;     ///< of a throat's width
+  int profile_bins = 50;      ///< of retention.csv along the flow
+  friend bool operator==(const Clogging&, const Clogging&) = default;
+};
+
 /// [analysis]: derived geometry numbers.
 struct Analysis {
   Real fine_diameter = 0;  ///< [m] for o/d and D/d; 0: not asked
@@ -133,6 +145,7 @@ struct Case {
   Fluid fluid;
   Flow flow;
   Coupling coupling;
+  Clogging clogging;
   Analysis analysis;
   Triple gravity{};  ///< [m/s^2]
   Box box;

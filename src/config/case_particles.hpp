@@ -122,13 +122,15 @@ struct Shape {
   friend bool operator==(const Shape&, const Shape&) = default;
 };
 
-enum class OutputKind { fields, pictures, tracks, summary };
+enum class OutputKind { fields, pictures, tracks, summary, movie };
+inline constexpr std::size_t output_kinds = 5;
 
 /// [[output]]
 struct Output {
   OutputKind kind = OutputKind::fields;
   Real every = 0;       ///< [s]; 0: a hundredth of the run
   bool forces = false;  ///< tracks: forces and torques too
+  int frame_rate = 15;  ///< movie: frames a second
   friend bool operator==(const Output&, const Output&) = default;
 };
 

@@ -151,6 +151,16 @@ ItemKey<Item> quantity_item(const std::string& name, Real Item::*member, const Q
           absent};
 }
 
+template <typename Item>
+ItemKey<Item> integer_item(const std::string& name, int Item::*member, Range range,
+                           const std::string& doc) {
+  return {name, "whole number, " + range.text(), doc,
+          [=](Item& item, const Node& node, const Case&) {
+            item.*member = static_cast<int>(read_integer(node, range));
+          },
+          [=](const Item& item) { return std::to_string(item.*member); }};
+}
+
 template <typename Item, typename Enum>
 ItemKey<Item> choice_item(const std::string& name, Enum Item::*member,
                           const std::vector<std::string>& names, const std::string& doc) {

@@ -10,8 +10,8 @@ namespace porefines::config {
 const std::vector<Key>& all_keys() {
   static const std::vector<Key> keys = [] {
     std::vector<Key> all;
-    for (const auto& part : {run_keys(), geometry_keys(), grid_keys(), flow_keys(), box_keys(),
-                             contact_keys(), later_keys()}) {
+    for (const auto& part : {run_keys(), geometry_keys(), grid_keys(), flow_keys(), clogging_keys(),
+                             box_keys(), contact_keys(), later_keys()}) {
       all.insert(all.end(), part.begin(), part.end());
     }
     return all;

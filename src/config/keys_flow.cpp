@@ -173,4 +173,26 @@ std::vector<Key> flow_keys() {
   return keys;
 }
 
+std::vector<Key> clogging_keys() {
+  constexpr auto part = &Case::clogging;
+  using C = Clogging;
+  return {
+      quantity_key("clogging.stop_share", part, &C::stop_share, kind::number, Range{1e-6, 0.5}, "",
+                   "of the mean speed in the pores: a slower fine rests"),
+      quantity_key("clogging.hold_time", part, &C::hold_time, kind::time, above_zero,
+                   "what the fluid needs for five diameters",
+                   "a fine that rests so long and touches something is retained"),
+      quantity_key("clogging.release_travel", part, &C::release_travel, kind::number,
+                   Range{0.01, 100}, "", "diameters after which a retained fine is free again"),
+      quantity_key("clogging.contact_gap", part, &C::contact_gap, kind::number, Range{0, 1}, "",
+                   "diameters of the smaller one up to which two things touch"),
+      quantity_key("clogging.reach", part, &C::reach, kind::number, Range{0, 100}, "",
+                   "diameters beyond a throat's ends that still belong to it"),
+      quantity_key("clogging.sieve_share", part, &C::sieve_share, kind::number, Range{0.5, 1.5}, "",
+                   "of a throat's width: one larger fine alone is sieved there"),
+      integer_key("clogging.profile_bins", part, &C::profile_bins, Range{1, 100000},
+                  "bins of retention.csv along the flow"),
+  };
+}
+
 }  // namespace porefines::config

@@ -13,14 +13,19 @@ void read_output_dir(Case& c, const Node& node) {
 }
 
 std::vector<ItemKey<Output>> output_items() {
-  return {
-      choice_item("kind", &Output::kind, {"fields", "pictures", "tracks", "summary"},
-                  "`fields`: fields.xdmf and HDF5; `pictures`: PNG; `tracks`: tracks.csv, a row "
-                  "per particle and sample; `summary`: series.csv, a row per sample"),
-      quantity_item("every", &Output::every, kind::time, above_zero,
-                    "a hundredth of the run; pictures: at the end",
-                    "simulated time from sample to sample"),
-      flag_item("forces", &Output::forces, "tracks: forces and torques too")};
+  return {choice_item(
+              "kind", &Output::kind, {"fields", "pictures", "tracks", "summary", "movie"},
+              "`fields`: fields.xdmf and HDF5; `pictures`: PNG; `tracks`: tracks.csv, a row "
+              "per particle and sample; `summary`: series.csv, a row per sample, and with a flow "
+              "the clogging log, retention and pressures at throats; `movie`: movie.mp4"),
+          quantity_item("every", &Output::every, kind::time, above_zero,
+                        "a hundredth of the run; pictures: at the end",
+                        "simulated time from sample to sample"),
+          only_where([](const Output& o) { return o.kind == OutputKind::tracks; },
+                     flag_item("forces", &Output::forces, "tracks: forces and torques too")),
+          only_where([](const Output& o) { return o.kind == OutputKind::movie; },
+                     integer_item("frame_rate", &Output::frame_rate, Range{1, 120},
+                                  "movie: frames a second"))};
 }
 
 /// A kind must be said: its default is only there to be overwritten.
@@ -76,16 +81,16 @@ std::vector<Key> run_keys() {
                    "required with moving particles", "simulated time at which the run ends"),
       quantity_key("run.max_wall", &Case::run, &Run::max_wall, kind::time, above_zero, "no limit",
                    "wall time after which the run ends, with its results so far"),
+      quantity_key("run.max_pore_volumes", &Case::run, &Run::max_pore_volumes, kind::number,
+                   above_zero, "no limit", "pore volumes of fluid after which the run ends"),
+      quantity_key("run.min_permeability_ratio", &Case::run, &Run::min_permeability_ratio,
+                   kind::number, above_zero, "no limit", "k/k0 at which the run ends"),
       quantity_key(
           "checkpoint.every", &Case::checkpoint, &Checkpoint::every, kind::time, above_zero, "",
           "wall time between two checkpoint.h5, from which `--restart` goes on; one more is "
           "written at the end, at SIGINT and at SIGTERM"),
       integer_key("checkpoint.keep", &Case::checkpoint, &Checkpoint::keep, Range{1, 9},
                   "how many of them stay: checkpoint_1.h5 is the one before checkpoint.h5"),
-      quantity_key("run.max_pore_volumes", &Case::run, &Run::max_pore_volumes, kind::number,
-                   above_zero, "no limit", "pore volumes of fluid after which the run ends"),
-      quantity_key("run.min_permeability_ratio", &Case::run, &Run::min_permeability_ratio,
-                   kind::number, above_zero, "no limit", "k/k0 at which the run ends"),
   };
 }
 

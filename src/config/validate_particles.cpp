@@ -214,6 +214,12 @@ void check_dry(const Case& subject, const Node& given) {
   if (!(subject.run.end_time > 0)) {
     fail(place_of(given, "run.end_time"), "is missing", "end_time = \"0.1 s\"");
   }
+  if (!(subject.coupling == Coupling{})) {
+    fail(place_of(given, "coupling"), "has no meaning without a flow");
+  }
+  if (!(subject.clogging == Clogging{})) {
+    fail(place_of(given, "clogging"), "has no meaning without a flow");
+  }
   if (subject.contact.integrator == Integrator::overdamped) {
     fail(place_of(given, "contact.integrator"), "\"overdamped\" needs a liquid that resists",
          "\"auto\" or \"newton-euler\" without a flow");
@@ -221,7 +227,7 @@ void check_dry(const Case& subject, const Node& given) {
   for (std::size_t i = 0; i < subject.output.size(); ++i) {
     if (find(given, "output") != nullptr && subject.output[i].kind == OutputKind::fields) {
       fail(item_node(given, "output", i).place, "there are no fields without a flow",
-           "kinds here: pictures, tracks, summary");
+           "kinds here: pictures, tracks, summary, movie");
     }
   }
 }
@@ -268,6 +274,7 @@ void check_steady(const Case& subject, const Node& given) {
   }
   for (const auto& [path, said] : {std::pair{"gravity", subject.gravity != Triple{}},
                                    {"coupling", !(subject.coupling == Coupling{})},
+                                   {"clogging", !(subject.clogging == Clogging{})},
                                    {"contact", !(subject.contact == Contact{})},
                                    {"surface", !subject.surface.empty()}}) {
     if (said) {
@@ -277,7 +284,7 @@ void check_steady(const Case& subject, const Node& given) {
   for (std::size_t i = 0; i < subject.output.size() && find(given, "output") != nullptr; ++i) {
     const Node& item = item_node(given, "output", i);
     const OutputKind kind = subject.output[i].kind;
-    if (kind == OutputKind::tracks || kind == OutputKind::summary) {
+    if (kind != OutputKind::fields && kind != OutputKind::pictures) {
       fail(place_in(item, "kind"), "has no meaning for a steady flow",
            kind == OutputKind::summary ? "summary.json is always written, delete this table"
                                        : "there are no moving particles to track");

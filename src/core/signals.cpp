@@ -21,6 +21,8 @@ void watch_signals() {
   signal_flag = 0;
   std::signal(SIGINT, remember);
   std::signal(SIGTERM, remember);
+  std::signal(SIGXFSZ,
+              SIG_IGN);  // a limit on file sizes is an error of the write, like a full disk
 }
 
 int caught_signal() {

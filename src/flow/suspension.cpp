@@ -191,10 +191,12 @@ void StokesSolver::recall(const Memory& memory) {
   lift_spheres();
   show_held_to_coarse_levels();
   place_given();
-  x_.assign(memory.unknowns.begin(), memory.unknowns.end());
-  if (x_.size() != operator_->size()) {
+  if (memory.unknowns.size() != operator_->size()) {
     x_.clear();  // of another number of ranks: from rest
+    return;
   }
+  x_.assign(memory.unknowns.begin(), memory.unknowns.end());
+  operator_->load_unknowns(x_);  // with the motions that were found
 }
 
 SolveReport StokesSolver::solve_suspension(const Drive& drive, SolveOptions options) {

@@ -32,4 +32,14 @@ template <typename Record>
   return all;
 }
 
+/// Gives everybody the vector of rank 0. Collective.
+template <typename T>
+void broadcast(const Communicator& comm, std::vector<T>& values) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  auto count = static_cast<Index>(values.size());
+  MPI_Bcast(&count, sizeof count, MPI_BYTE, 0, comm.handle());
+  values.resize(static_cast<std::size_t>(count));
+  MPI_Bcast(values.data(), static_cast<int>(values.size() * sizeof(T)), MPI_BYTE, 0, comm.handle());
+}
+
 }  // namespace porefines::par

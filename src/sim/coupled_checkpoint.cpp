@@ -4,6 +4,7 @@
 #include <array>
 
 #include "io/checkpoint.hpp"
+#include "par/gather.hpp"
 #include "sim/dry_checkpoint.hpp"
 
 namespace porefines::sim {
@@ -13,12 +14,16 @@ namespace {
 template <typename State, typename Visit>
 void for_reals(State& s, const Visit& visit) {
   visit(s.drive_factor), visit(s.fluid_passed), visit(s.volume_in), visit(s.volume_out);
-  visit(s.sampled_fluid), visit(s.sampled_in), visit(s.sampled_out);
+}
+
+template <typename Now, typename Visit>
+void for_flow(Now& now, const Visit& visit) {
+  visit(now.flow_rate), visit(now.pressure_drop), visit(now.permeability), visit(now.residual);
 }
 
 template <typename State, typename Visit>
 void for_counts(State& s, const Visit& visit) {
-  visit(s.solves), visit(s.cycles), visit(s.substeps), visit(s.fields_written);
+  visit(s.solves), visit(s.cycles), visit(s.substeps);
 }
 
 constexpr int sphere_columns = 17;
@@ -50,10 +55,14 @@ void write_checkpoint(const CoupledRun& run, const std::string& folder,
   put_run(checkpoint, run.particles, snapshot);
   std::vector<Real> reals;
   for_reals(run.state, [&](Real value) { reals.push_back(value); });
+  for_flow(run.now, [&](Real value) { reals.push_back(value); });
   checkpoint.whole("coupled_reals", std::move(reals));
   std::vector<std::int64_t> counts;
   for_counts(run.state, [&](Index value) { counts.push_back(value); });
   checkpoint.whole("coupled_counts", std::move(counts));
+  std::vector<Real> readings = analysis::pack(run.state.readings);
+  par::broadcast(run.comm(), readings);
+  checkpoint.whole("readings", std::move(readings));
   checkpoint.whole("flow_scale", std::vector<Real>{memory.scale});
   checkpoint.rows("flow_unknowns", std::span<const Real>(memory.unknowns));
   std::vector<std::uint64_t> ids;
@@ -76,11 +85,12 @@ void go_on(CoupledRun& run, const std::string& folder) {
   const auto counts = reader.whole<std::int64_t>("coupled_counts");
   std::size_t at = 0;
   for_reals(run.state, [&](Real& value) { value = reals.at(at++); });
+  for_flow(run.now, [&](Real& value) { value = reals.at(at++); });
   at = 0;
   for_counts(run.state, [&](Index& value) { value = counts.at(at++); });
+  run.state.readings = analysis::unpack_readings(reader.whole<Real>("readings"));
   if (!reader.same_ranks()) {
-    run.solver.forget();
-    return;
+    return;  // the flow is solved anew
   }
   flow::StokesSolver::Memory memory;
   memory.scale = reader.whole<Real>("flow_scale").at(0);
@@ -91,6 +101,8 @@ void go_on(CoupledRun& run, const std::string& folder) {
     memory.spheres.push_back(sphere_of(ids[q], &numbers[q * sphere_columns]));
   }
   run.solver.recall(memory);
+  run.cold = false;
+  feed_inlets(run);
 }
 
 }  // namespace porefines::sim

@@ -3,25 +3,28 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
+#include "sim/dry_results.hpp"
 #include "sim/prepare.hpp"
 #include "sim/results.hpp"
 
 namespace porefines::sim {
 namespace {
 
-/// Volume of particles in the fluid that entered, and in what left, since the last row.
-std::vector<Real> series_values(CoupledRun& run, const Moment& moment) {
-  CoupledState& s = run.state;
+/// A row of series.csv. Concentrations stand among the first columns, other readings come last.
+std::vector<Real> series_values(CoupledRun& run, Readings& readings) {
+  const Moment moment = look(run.particles);
+  std::vector<Real> read = take_readings(run, readings);
+  read.resize(analysis::reading_columns().size());  // only rank 0 has them
   const Ledger& ledger = run.particles.state.ledger;
-  const Real passed = s.fluid_passed - s.sampled_fluid;
-  const auto share = [&](Real particles) { return passed > 0 ? particles / passed : 0; };
   std::vector<Real> row{run.time(),
                         run.pore_volumes(),
                         run.permeability_ratio(),
                         run.now.flow_rate,
                         run.now.pressure_drop,
-                        share(s.volume_in - s.sampled_in),
-                        share(s.volume_out - s.sampled_out),
+                        read[0],
+                        read[1],
                         static_cast<Real>(moment.totals.particles),
                         moment.mean_speed,
                         moment.sigma.x,
@@ -37,42 +40,46 @@ std::vector<Real> series_values(CoupledRun& run, const Moment& moment) {
                         moment.max_overlap,
                         run.particles.state.step,
                         static_cast<Real>(run.now.cycles)};
-  s.sampled_fluid = s.fluid_passed;
-  s.sampled_in = s.volume_in;
-  s.sampled_out = s.volume_out;
+  row.insert(row.end(), read.begin() + 2, read.end());
   return row;
 }
 
 }  // namespace
 
 std::vector<std::string> coupled_columns() {
-  return {"time_s",
-          "pore_volumes",
-          "permeability_ratio",
-          "flow_rate_m3_s",
-          "pressure_drop_pa",
-          "inlet_concentration",
-          "outlet_concentration",
-          "particles_inside",
-          "mean_speed_m_s",
-          "sigma_x_m",
-          "sigma_y_m",
-          "sigma_z_m",
-          "mean_x_m",
-          "mean_y_m",
-          "mean_z_m",
-          "particles_injected",
-          "particles_out",
-          "contacts",
-          "wall_contacts",
-          "max_overlap",
-          "time_step_s",
-          "solver_cycles"};
+  const std::vector<std::string> read = analysis::reading_columns();
+  std::vector<std::string> columns{"time_s",
+                                   "pore_volumes",
+                                   "permeability_ratio",
+                                   "flow_rate_m3_s",
+                                   "pressure_drop_pa",
+                                   read[0],
+                                   read[1],
+                                   "particles_inside",
+                                   "mean_speed_m_s",
+                                   "sigma_x_m",
+                                   "sigma_y_m",
+                                   "sigma_z_m",
+                                   "mean_x_m",
+                                   "mean_y_m",
+                                   "mean_z_m",
+                                   "particles_injected",
+                                   "particles_out",
+                                   "contacts",
+                                   "wall_contacts",
+                                   "max_overlap",
+                                   "time_step_s",
+                                   "solver_cycles"};
+  columns.insert(columns.end(), read.begin() + 2, read.end());
+  return columns;
 }
 
 CoupledSink open_coupled_sink(const std::string& folder, const CoupledRun& run,
+                              const geom::Sample& sample, std::span<const float> solid,
                               const io::Provenance& provenance, Start start) {
-  CoupledSink sink{open_sink(folder, run.particles, provenance, start, coupled_columns()), {}};
+  CoupledSink sink{open_sink(folder, run.particles, provenance, start, coupled_columns()),
+                   {},
+                   open_readings(folder, run, sample, solid, start)};
   if (config::find_output(run.the_case, config::OutputKind::fields) != nullptr) {
     sink.fields.emplace(open_fields(folder, run.domain, run.solver.block(), provenance, run.comm(),
                                     start, run.time()));
@@ -81,13 +88,29 @@ CoupledSink open_coupled_sink(const std::string& folder, const CoupledRun& run,
 }
 
 void write_coupled(CoupledRun& run, CoupledSink& sink, const std::string& left,
-                   std::span<const float> solid) {
-  write_due(run.particles, sink.tables, left,
-            [&] { return series_values(run, look(run.particles)); });
-  if (sink.fields &&
-      is_due(run.the_case, config::OutputKind::fields, run.state.fields_written, run.time())) {
+                   const RunCanvas& canvas, std::span<const float> solid) {
+  const View view{
+      [&] { return series_values(run, sink.readings); },
+      [&] { return paint_run(run, canvas, sink.readings, solid, report::FineColour::fate); }};
+  write_due(run.particles, sink.tables, left, view);
+  if (falls_due(run.particles, config::OutputKind::fields)) {
     write_fields(*sink.fields, run.time(), cell_fields(run), solid, true);
-    ++run.state.fields_written;
+  }
+}
+
+void write_end(CoupledRun& run, CoupledSink& sink, const RunCanvas& canvas,
+               std::span<const float> solid) {
+  finish_movie(run.particles, sink.tables);
+  if (sink.fields && !is_sampled(run.the_case, config::OutputKind::fields)) {
+    write_fields(*sink.fields, run.time(), cell_fields(run), solid, true);
+  }
+  if (config::find_output(run.the_case, config::OutputKind::pictures) == nullptr) {
+    return;
+  }
+  using enum report::FineColour;
+  for (const auto& [name, colour] : {std::pair{"particles", fate}, {"particles_speed", speed}}) {
+    write_moment(fmt::format("{}/{}.png", sink.tables.folder, name), run.particles,
+                 paint_run(run, canvas, sink.readings, solid, colour), sink.tables.provenance);
   }
 }
 
@@ -127,6 +150,12 @@ void add_coupled(Json& json, const CoupledRun& run) {
   json.set("cycles_per_solve",
            static_cast<Real>(s.cycles) / static_cast<Real>(std::max<Index>(s.solves, 1)));
   json.set("contact_substeps", s.substeps);
+  const analysis::FateCounts& counts = s.readings.clogging.counts;
+  json.set("piping_share", counts.share(counts.piping));
+  json.set("bridging_share", counts.share(counts.bridging));
+  json.set("clogged_share", counts.share(counts.clogged));
+  json.set("resting_share", counts.share(counts.resting));
+  json.set("clogged_throats", static_cast<Index>(s.readings.clogging.clogs.size()));
 }
 
 }  // namespace porefines::sim

@@ -21,8 +21,17 @@
 namespace porefines::sim {
 namespace {
 
-Outcome simulate(CoupledRun& run, CoupledSink& sink, std::span<const float> solid,
-                 const Stopwatch& watch, Log& log) {
+/// The end of the case, one of its limits, a signal, or run.max_wall. Collective.
+std::optional<Outcome> reason_to_end(const CoupledRun& run, Real wall_time) {
+  const std::string limit = limit_reached(run);
+  if (!limit.empty() || run.time() >= run.the_case.run.end_time) {
+    return Outcome{.ending = {.reason = limit}};
+  }
+  return reason_to_stop(run.particles, wall_time);
+}
+
+Outcome simulate(CoupledRun& run, CoupledSink& sink, const RunCanvas& canvas,
+                 std::span<const float> solid, const Stopwatch& watch, Log& log) {
   std::optional<Progress> progress;
   if (run.comm().is_root()) {
     progress.emplace("run");
@@ -33,28 +42,26 @@ Outcome simulate(CoupledRun& run, CoupledSink& sink, std::span<const float> soli
   };
   const Real end = run.the_case.run.end_time;
   std::string left;
+  if (run.cold) {
+    solve_flow(run);
+  }
   while (true) {
-    solve_flow(run);                        // fluid and rigid particles in one system
-    write_coupled(run, sink, left, solid);  // of this moment
-    look_at_limits(run);
-    if (run.time() >= end || run.state.stopped) {
-      save(run.comm().max(watch.seconds()));
-      return {.ending = {.reason = run.state.reason}};
-    }
-    const Real step = choose_step(run);
-    move_particles(run, step);        // with the flow and against each other
-    left = pass_openings(run, step);  // out, and in
-    require_healthy(run.particles);   // overlaps within their bound
-    if (progress) {
-      progress->update(run.time() / end);
-    }
+    write_coupled(run, sink, left, canvas, solid);  // of this moment
     const Real wall_time = run.comm().max(watch.seconds());
-    if (const auto stop = reason_to_stop(run.particles, wall_time)) {
+    if (const auto stop = reason_to_end(run, wall_time)) {
       save(wall_time);
       return *stop;
     }
     if (wall_time - sink.tables.saved >= run.the_case.checkpoint.every) {
       save(wall_time);
+    }
+    const Real step = choose_step(run);
+    move_particles(run, step);        // with the flow and against each other
+    left = pass_openings(run, step);  // out, and in
+    require_healthy(run.particles);   // overlaps within their bound
+    solve_flow(run);                  // fluid and rigid particles in one system
+    if (progress) {
+      progress->update(run.time() / end);
     }
   }
 }
@@ -72,15 +79,78 @@ void say_coupled(Log& log, const CoupledRun& run, const Outcome& outcome) {
   }
 }
 
-/// Pictures of the last moment. Collective.
-void draw_end(CoupledRun& run, const std::string& folder, const geom::Sample& sample,
-              std::span<const float> solid, const io::Provenance& provenance) {
-  if (config::find_output(run.the_case, config::OutputKind::pictures) == nullptr) {
+/// "clogging   3 throats clogged; of all fines 80 % pipe, ..."
+void say_fates(Log& log, const analysis::CloggingState& clogging) {
+  const analysis::FateCounts& c = clogging.counts;
+  const auto percent = [&](Index count) { return 100 * c.share(count); };
+  log.info(
+      "clogging   {} throats clogged; of all fines {:.3g} % pipe or have left, {:.3g} % bridge, "
+      "{:.3g} % are held, {:.3g} % rest",
+      clogging.clogs.size(), percent(c.piping), percent(c.bridging), percent(c.clogged),
+      percent(c.resting));
+}
+
+/// The sample and its flow before the first particle.
+struct Scene {
+  const config::Case& the_case;
+  const Prepared& prepared;
+  std::vector<float> solid;  ///< share of each cell that is grain
+  SteadyFlow clean;
+  RunCanvas canvas;
+  RunFacts facts;
+};
+
+/// Links the grains and solves the clean flow. Collective.
+Scene set_scene(const config::Case& the_case, const Prepared& prepared, flow::StokesSolver& solver,
+                const par::Communicator& comm, const Stopwatch& watch, Log& log) {
+  Scene scene{the_case, prepared, set_up(solver, the_case, prepared, comm), {}, {}, {}};
+  log.info("set-up     {:.2g} s", watch.seconds());
+  const Domain& domain = prepared.domain;
+  scene.clean = solve_steady_flow(the_case, domain, solver, comm);
+  const SteadyFlow& clean = scene.clean;
+  if (clean.signal != 0) {
+    throw Interrupted{clean.signal};
+  }
+  log.info("clean k    {:.5g} m^2 = {:.5g} darcy", clean.permeability, clean.permeability / darcy);
+  flow::StokesSolver::CellFields fields = solver.cell_fields();
+  to_case_units(fields, clean.scale, clean.offset);
+  scene.canvas = make_canvas(domain, prepared.sample, fields, scene.solid, solver.block(), comm);
+  scene.facts.porosity =
+      measure_porosity(prepared.sample, domain, solver.block(), scene.solid, comm);
+  scene.facts.fluid_cells = solver.fluid_cells();
+  scene.facts.plan = prepared.plan;
+  return scene;
+}
+
+/// Particles of the start, or of the checkpoint. Collective.
+void begin(CoupledRun& run, const RunOptions& options, Log& log) {
+  if (options.restart) {
+    go_on(run, options.output_dir);
+    log.info("goes on at {:.6g} s, step {}", run.time(), run.particles.state.steps);
     return;
   }
-  draw_dry(folder + "/particles.png", run.particles, provenance);
-  draw_fields(folder, run.the_case, sample, run.domain, cell_fields(run), solid, run.solver.block(),
-              provenance, run.comm());
+  for (const std::string& remark : place_particles(run.particles)) {
+    log.info("{}", remark);
+  }
+  run.particles.system.start_creeping();
+}
+
+/// Last pictures and fields, summary.json. Collective.
+void write_results(CoupledRun& run, CoupledSink& sink, const Scene& scene, const Outcome& outcome) {
+  const std::string& folder = sink.tables.folder;
+  const Prepared& prepared = scene.prepared;
+  write_end(run, sink, scene.canvas, scene.solid);
+  if (config::find_output(scene.the_case, config::OutputKind::pictures) != nullptr) {
+    draw_fields(folder, scene.the_case, prepared.sample, run.domain, cell_fields(run), scene.solid,
+                run.solver.block(), sink.tables.provenance, run.comm());
+  }
+  Json summary = summarise(scene.the_case, prepared.sample, run.domain, scene.clean, scene.facts);
+  add_coupled(summary, run);
+  summary.set("status", outcome.ending.status);
+  if (!outcome.ending.reason.empty()) {
+    summary.set("reason", outcome.ending.reason);
+  }
+  on_root(run.comm(), [&] { write_file(folder + "/summary.json", summary.text()); });
 }
 
 }  // namespace
@@ -90,7 +160,6 @@ int run_coupled_case(const config::Case& the_case, const RunOptions& options,
   const Stopwatch watch;
   const io::Provenance provenance = io::make_provenance(comm.size(), the_case.run.random_seed);
   const Prepared prepared = prepare(the_case, comm);
-  const Domain& domain = prepared.domain;
   if (options.dry_run) {
     show_plan(the_case, options, prepared, provenance, comm);
     return exit_code::done;
@@ -100,50 +169,27 @@ int run_coupled_case(const config::Case& the_case, const RunOptions& options,
   log.emplace(open_folder(folder, the_case, comm, start));
   say(*log, comm, provenance, prepared.story);
 
+  const Domain& domain = prepared.domain;
   flow::StokesSolver solver(comm, prepared.cut, domain.spacing, domain.boundaries,
                             the_case.fluid.viscosity);
-  const std::vector<float> solid = set_up(solver, the_case, prepared, comm);
-  log->info("set-up     {:.2g} s", watch.seconds());
-  const SteadyFlow clean = solve_steady_flow(the_case, domain, solver, comm);
-  if (clean.signal != 0) {
-    throw Interrupted{clean.signal};
-  }
-  log->info("clean k    {:.5g} m^2 = {:.5g} darcy", clean.permeability, clean.permeability / darcy);
-  RunFacts facts;
-  facts.porosity = measure_porosity(prepared.sample, domain, solver.block(), solid, comm);
-  facts.fluid_cells = solver.fluid_cells();
-  facts.plan = prepared.plan;
-  facts.provenance = provenance;
-
+  Scene scene = set_scene(the_case, prepared, solver, comm, watch, *log);
+  scene.facts.provenance = provenance;
   const config::Case boxed = with_box_of_flow(the_case);
-  CoupledRun run = make_coupled_run(boxed, prepared.sample, domain, prepared.cut, solver, clean,
-                                    facts.porosity.connected, comm);
-  if (options.restart) {
-    go_on(run, folder);
-    log->info("goes on at {:.6g} s, step {}", run.time(), run.particles.state.steps);
-  } else {
-    for (const std::string& remark : place_particles(run.particles)) {
-      log->info("{}", remark);
-    }
-    run.particles.system.start_creeping();
-  }
-  CoupledSink sink = open_coupled_sink(folder, run, provenance, start);
-  const Outcome outcome = safely([&] { return simulate(run, sink, solid, watch, *log); });
-  draw_end(run, folder, prepared.sample, solid, provenance);
-  facts.peak_memory = comm.sum(static_cast<Real>(peak_memory()));
-  facts.wall_time = watch.seconds();
-  Json summary = summarise(the_case, prepared.sample, domain, clean, facts);
-  add_coupled(summary, run);
-  summary.set("status", outcome.ending.status);
-  if (!outcome.ending.reason.empty()) {
-    summary.set("reason", outcome.ending.reason);
-  }
-  on_root(comm, [&] { write_file(folder + "/summary.json", summary.text()); });
-  say_coupled(*log, run, outcome);
-  log->info("results    {}", folder);
-  if (!outcome.error.empty()) {
-    throw RunError(outcome.error);
-  }
+  CoupledRun run = make_coupled_run(boxed, prepared.sample, domain, prepared.cut, solver,
+                                    scene.clean, scene.facts.porosity.connected, comm);
+  begin(run, options, *log);
+  CoupledSink sink =
+      open_coupled_sink(folder, run, prepared.sample, scene.solid, provenance, start);
+  const Outcome outcome =
+      safely([&] { return simulate(run, sink, scene.canvas, scene.solid, watch, *log); });
+  scene.facts.peak_memory = comm.sum(static_cast<Real>(peak_memory()));
+  scene.facts.wall_time = watch.seconds();
+  write_rest(outcome, folder, [&] {
+    write_results(run, sink, scene, outcome);
+    say_coupled(*log, run, outcome);
+    say_fates(*log, run.state.readings.clogging);
+    log->info("results    {}", folder);
+  });
   return outcome.exit_code;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/readings.hpp"
 #include "config/case.hpp"
 #include "flow/stokes.hpp"
 #include "sim/domain.hpp"
@@ -22,7 +23,8 @@ struct FlowNow {
   Real residual = 0;
 };
 
-/// What a coupled run remembers besides particles and fields: the same on every rank.
+/// What a coupled run remembers besides particles and fields: the same on every rank, but for the
+/// readings.
 struct CoupledState {
   Real clean_permeability = 0;  ///< [m^2] k0, before any particle
   Real clean_rate = 0;          ///< [m^3/s]
@@ -33,13 +35,7 @@ struct CoupledState {
   Index solves = 0;
   Index cycles = 0;
   Index substeps = 0;
-  Index fields_written = 0;
-  bool stopped = false;  ///< by one of the limits of the case
-  std::string reason;
-  // At the last row of series.csv:
-  Real sampled_fluid = 0;
-  Real sampled_in = 0;
-  Real sampled_out = 0;
+  analysis::ReadingState readings = {};  ///< rank 0
 };
 
 /// Fluid and particles in progress. Particles live in the whole grid's box, reservoirs included, in
@@ -55,6 +51,7 @@ struct CoupledRun {
   Real pore_volume = 0;  ///< [m^3] of the sample
   FlowNow now;
   CoupledState state;
+  bool cold = true;  ///< nothing is known of the flow with particles yet
 
   [[nodiscard]] const par::Communicator& comm() const { return particles.comm; }
   [[nodiscard]] Real time() const { return particles.state.time; }
@@ -93,7 +90,10 @@ void move_particles(CoupledRun& run, Real step);
 /// @return rows of those that left, for tracks.csv
 [[nodiscard]] std::string pass_openings(CoupledRun& run, Real step);
 
-/// Sets state.stopped where the case has a limit that is reached.
-void look_at_limits(CoupledRun& run);
+/// Inlets follow the flow of the last solve: where and how fast particles enter, and how many.
+void feed_inlets(CoupledRun& run);
+
+/// Which limit of the case is reached, in words; "" when none is.
+[[nodiscard]] std::string limit_reached(const CoupledRun& run);
 
 }  // namespace porefines::sim

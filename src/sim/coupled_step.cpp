@@ -108,9 +108,9 @@ void measure(CoupledRun& run, const flow::Drive& drive) {
 }
 
 void solve_once(CoupledRun& run, const flow::Drive& drive) {
-  const bool first = run.state.solves == 0;
   flow::SolveOptions options;
-  options.tolerance = first ? run.the_case.flow.tolerance : run.the_case.coupling.tolerance;
+  options.tolerance = run.cold ? run.the_case.flow.tolerance : run.the_case.coupling.tolerance;
+  run.cold = false;
   options.max_cycles = run.the_case.flow.max_cycles;
   const flow::SolveReport report = run.solver.solve(drive, options);
   run.now.cycles += report.cycles;
@@ -126,7 +126,8 @@ void solve_once(CoupledRun& run, const flow::Drive& drive) {
   }
 }
 
-/// Inlets follow the flow: where and how fast particles enter, and how many.
+}  // namespace
+
 void feed_inlets(CoupledRun& run) {
   const Domain& domain = run.domain;
   for (std::size_t k = 0; k < run.particles.inlets.size(); ++k) {
@@ -171,8 +172,6 @@ void feed_inlets(CoupledRun& run) {
     }
   }
 }
-
-}  // namespace
 
 void solve_flow(CoupledRun& run) {
   constexpr Real pump_accuracy = 1e-3;
@@ -260,25 +259,25 @@ std::string pass_openings(CoupledRun& run, Real step) {
   return left;
 }
 
-void look_at_limits(CoupledRun& run) {
+std::string limit_reached(const CoupledRun& run) {
   constexpr Real clogged =
       1e-4;  // of the clean permeability: what seeps through the pores of a clog
   const config::Run& limits = run.the_case.run;
-  const auto stop = [&](const std::string& reason) {
-    run.state.stopped = true;
-    run.state.reason = reason;
-  };
+  const Real ratio = run.permeability_ratio();
   if (limits.max_pore_volumes > 0 && run.pore_volumes() >= limits.max_pore_volumes) {
-    stop(fmt::format("{:.4g} pore volumes have passed", run.pore_volumes()));
-  } else if (run.permeability_ratio() < std::max(limits.min_permeability_ratio, clogged)) {
-    stop(run.permeability_ratio() < clogged
-             ? std::string("full clog: k/k0 fell below 1e-4")
-             : fmt::format("k/k0 = {:.4g} fell below min_permeability_ratio",
-                           run.permeability_ratio()));
-  } else if (run.the_case.flow.max_pressure > 0 &&
-             run.now.pressure_drop > run.the_case.flow.max_pressure) {
-    stop(fmt::format("the pump needs {:.4g} Pa, more than max_pressure", run.now.pressure_drop));
+    return fmt::format("{:.4g} pore volumes have passed", run.pore_volumes());
   }
+  if (ratio < clogged) {
+    return "full clog: k/k0 fell below 1e-4";
+  }
+  if (ratio < limits.min_permeability_ratio) {
+    return fmt::format("k/k0 = {:.4g} fell below min_permeability_ratio", ratio);
+  }
+  if (run.the_case.flow.max_pressure > 0 &&
+      run.now.pressure_drop > run.the_case.flow.max_pressure) {
+    return fmt::format("the pump needs {:.4g} Pa, more than max_pressure", run.now.pressure_drop);
+  }
+  return "";
 }
 
 }  // namespace porefines::sim

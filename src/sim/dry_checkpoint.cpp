@@ -27,7 +27,9 @@ template <typename State, typename Visit>
 void for_counts(State& state, const Visit& visit) {
   visit(state.steps), visit(state.next_id);
   visit(state.ledger.placed), visit(state.ledger.injected), visit(state.ledger.out);
-  visit(state.samples), visit(state.tracked), visit(state.drawn);
+  for (auto& written : state.written) {
+    visit(written);
+  }
   for (auto& inlet : state.inlets) {
     visit(inlet.particles), visit(inlet.tries), visit(inlet.waiting);
   }
@@ -55,8 +57,15 @@ void get_state(const io::CheckpointReader& reader, DryState& state) {
 
 /// "[table]" and "name = value" lines as "table.name = value".
 std::vector<std::string> entries(const std::string& text) {
-  constexpr std::array may_differ{"title",          "reference",    "output",
-                                  "run.output_dir", "run.end_time", "run.max_wall"};
+  constexpr std::array may_differ{"title",
+                                  "reference",
+                                  "output",
+                                  "run.output_dir",
+                                  "run.end_time",
+                                  "run.max_wall",
+                                  "run.max_pore_volumes",
+                                  "run.min_permeability_ratio",
+                                  "flow.max_pressure"};
   std::vector<std::string> found;
   std::string table;
   for (std::size_t at = 0; at < text.size();) {

@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "io/movie.hpp"
 #include "io/provenance.hpp"
 #include "io/series.hpp"
+#include "report/picture.hpp"
 #include "sim/dry_state.hpp"
 #include "sim/session.hpp"
 #include "sim/tracks.hpp"
@@ -20,7 +22,8 @@ struct Sink {
   io::Provenance provenance;
   std::optional<io::SeriesWriter> series = {};
   std::optional<io::SeriesWriter> tracks = {};
-  Real saved = 0;  ///< [s] of wall time at the last checkpoint
+  std::optional<io::MovieWriter> movie = {};  ///< from its first frame on
+  Real saved = 0;                             ///< [s] of wall time at the last checkpoint
 };
 
 /// Starts the tables, series.csv with these columns, or continues them after run.state.time: what an earlier run wrote later goes.
@@ -29,13 +32,20 @@ struct Sink {
                              const io::Provenance& provenance, Start start,
                              const std::vector<std::string>& columns = series_columns());
 
-/// Writes the samples that are due. Collective.
+/// What a run shows of the moment; both are asked for on every rank, when they are due.
+struct View {
+  std::function<std::vector<Real>()> row;    ///< of series.csv
+  std::function<report::Picture()> picture;  ///< counts on rank 0
+};
+
+/// Writes the samples that are due: series, tracks, pictures, movie. Collective.
 /// @param left  rows of those that left, for tracks.csv
-/// @param row   of series.csv at this moment, asked for on every rank when it is due
-void write_due(DryRun& run, Sink& sink, const std::string& left,
-               const std::function<std::vector<Real>()>& row);
-/// With the row of a dry run.
+void write_due(DryRun& run, Sink& sink, const std::string& left, const View& view);
+/// As a dry run shows itself.
 void write_due(DryRun& run, Sink& sink, const std::string& left);
+
+/// Completes the movie. Collective.
+void finish_movie(const DryRun& run, Sink& sink);
 
 /// Writes a checkpoint by `write`; a failure is a warning, since the run has its worth without.
 /// Collective.

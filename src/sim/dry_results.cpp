@@ -10,6 +10,7 @@
 #include "core/progress.hpp"
 #include "par/gather.hpp"
 #include "report/draw_particles.hpp"
+#include "sim/particle_setup.hpp"
 #include "sim/session.hpp"
 
 namespace porefines::sim {
@@ -29,13 +30,6 @@ std::vector<report::Disc> gather_discs(const DryRun& run) {
   return par::gather(run.comm, mine);
 }
 
-/// Is a point in a wall? A sphere of no size touches what it is in.
-bool in_wall(const dem::Settings& settings, const Vec3& x) {
-  dem::TouchList touches;
-  find_touches(settings.walls, x, 0, 0, touches);
-  return touches.count > 0;
-}
-
 Real waiting(const DryRun& run) {
   Real sum = 0;
   for (const dem::InletState& inlet : run.state.inlets) {
@@ -49,6 +43,11 @@ std::string law_of(const config::Contact& contact) {
 }
 
 }  // namespace
+
+std::string title_of_moment(const DryRun& run) {
+  const std::string& title = run.the_case.run.title;
+  return fmt::format("{}, {:.4g} s", title.empty() ? "Particles" : title, run.state.time);
+}
 
 Json summarise_dry(const DryRun& run, const Ending& ending, const io::Provenance& provenance) {
   const Moment now = look(run);
@@ -92,8 +91,9 @@ Json summarise_dry(const DryRun& run, const Ending& ending, const io::Provenance
   return json;
 }
 
-void draw_dry(const std::string& path, const DryRun& run, const io::Provenance& provenance) {
+report::Picture paint_dry(const DryRun& run) {
   std::vector<report::Disc> discs = gather_discs(run);
+  report::Picture picture;
   on_root(run.comm, [&] {
     const dem::Settings& settings = run.system.settings();
     const Vec3 size = settings.box.high - settings.box.low;
@@ -101,14 +101,23 @@ void draw_dry(const std::string& path, const DryRun& run, const io::Provenance& 
     report::Scene scene{settings.box.low, settings.box.high, {0, thin ? 1 : 2}, [&](const Vec3& x) {
                           return in_wall(settings, x);
                         }};
-    const std::string title = run.the_case.run.title.empty() ? "Particles" : run.the_case.run.title;
-    const report::PictureStyle style{.title = fmt::format("{}, {:.4g} s", title, run.state.time),
+    const report::PictureStyle style{.title = title_of_moment(run),
                                      .quantity = "speed",
                                      .unit = "m/s",
                                      .colormap = report::Colormap::speed};
-    report::write_picture(path, report::draw_particles(std::move(discs), scene, style), provenance,
-                          style.title);
+    picture = report::draw_particles(std::move(discs), scene, style);
   });
+  return picture;
+}
+
+void draw_dry(const std::string& path, const DryRun& run, const io::Provenance& provenance) {
+  write_moment(path, run, paint_dry(run), provenance);
+}
+
+void write_moment(const std::string& path, const DryRun& run, const report::Picture& picture,
+                  const io::Provenance& provenance) {
+  on_root(run.comm,
+          [&] { report::write_picture(path, picture, provenance, title_of_moment(run)); });
 }
 
 std::vector<std::string> describe_dry(const DryRun& run, const std::vector<std::string>& remarks) {

@@ -6,6 +6,7 @@
 
 #include "core/json.hpp"
 #include "io/provenance.hpp"
+#include "report/picture.hpp"
 #include "sim/dry_state.hpp"
 #include "sim/ending.hpp"
 
@@ -16,7 +17,14 @@ namespace porefines::sim {
                                  const io::Provenance& provenance);
 
 /// A picture of the particles: coloured by speed, seen along y, or along z when the box is thin there.
-/// Collective.
+/// On rank 0; collective.
+[[nodiscard]] report::Picture paint_dry(const DryRun& run);
+/// "title, 0.25 s"
+[[nodiscard]] std::string title_of_moment(const DryRun& run);
+/// Saves a picture of the moment, that of rank 0. Collective.
+void write_moment(const std::string& path, const DryRun& run, const report::Picture& picture,
+                  const io::Provenance& provenance);
+/// Paints and saves. Collective.
 void draw_dry(const std::string& path, const DryRun& run, const io::Provenance& provenance);
 
 /// The numbers of the run before it starts, in lines for a person. Collective.

@@ -107,11 +107,11 @@ int run_dry(const config::Case& the_case, const RunOptions& options,
   Sink sink = open_sink(folder, run, provenance, start);
   Outcome outcome = safely([&] { return simulate(run, sink, watch, log); });
   outcome.ending.wall_time = watch.seconds();
-  write_results(folder, run, outcome, provenance);
-  say_result(log, run, outcome, folder);
-  if (!outcome.error.empty()) {
-    throw RunError(outcome.error);
-  }
+  write_rest(outcome, folder, [&] {
+    finish_movie(run, sink);
+    write_results(folder, run, outcome, provenance);
+    say_result(log, run, outcome, folder);
+  });
   if (outcome.exit_code > exit_code::signal_base) {
     log.warn("stopped by {}: results are those so far", outcome.ending.reason);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MPL-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -31,9 +32,11 @@ struct DryState {
   std::vector<dem::InletState> inlets;
   Ledger ledger;
   EnergyBook energy;
-  Index samples = 0;  ///< rows of series.csv written
-  Index tracked = 0;  ///< samples of tracks.csv written
-  Index drawn = 0;    ///< pictures drawn on the way
+  std::array<Index, config::output_kinds> written{};  ///< samples of each kind of output
+
+  [[nodiscard]] Index& written_of(config::OutputKind kind) {
+    return written[static_cast<std::size_t>(kind)];
+  }
 };
 
 /// A dry run in progress.

@@ -38,12 +38,10 @@ dem::Pace pace_of(const DryRun& run) {
 }  // namespace
 
 Real next_sample(const DryRun& run) {
-  using enum config::OutputKind;
   Real next = run.the_case.run.end_time;
-  for (const auto& [kind, written] : {std::pair{summary, run.state.samples},
-                                      {tracks, run.state.tracked},
-                                      {pictures, run.state.drawn}}) {
-    const auto at = static_cast<Real>(std::max<Index>(written, 1));  // the first is written at 0
+  for (std::size_t k = 0; k < config::output_kinds; ++k) {
+    const auto kind = static_cast<config::OutputKind>(k);
+    const auto at = static_cast<Real>(std::max<Index>(run.state.written[k], 1));  // the first: at 0
     if (is_sampled(run.the_case, kind)) {
       next = std::min(next, at * sample_interval(run.the_case, kind));
     }

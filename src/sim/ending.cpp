@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MPL-2.0
 #include "sim/ending.hpp"
 
+#include <filesystem>
+
 #include <fmt/format.h>
 
 #include "sim/session.hpp"
@@ -21,6 +23,13 @@ std::optional<Outcome> reason_to_stop(const DryRun& run, Real wall_time) {
                                run.state.time, run.the_case.run.end_time)};
   }
   return {};
+}
+
+std::string way_on(const std::string& folder) {
+  const std::string checkpoint = folder + "/checkpoint.h5";
+  return std::filesystem::exists(checkpoint)
+             ? fmt::format("\n--restart goes on from {}, once the cause is mended", checkpoint)
+             : "";
 }
 
 void say_particles(Log& log, const DryRun& run) {

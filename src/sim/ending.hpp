@@ -29,6 +29,25 @@ struct Outcome {
 /// @param wall_time  [s] of the slowest rank
 [[nodiscard]] std::optional<Outcome> reason_to_stop(const DryRun& run, Real wall_time);
 
+/// What to do after an error: "" where there is no checkpoint.
+[[nodiscard]] std::string way_on(const std::string& folder);
+
+/// Writes the rest; after an error, as much of it as can be, and then the error goes on.
+/// @throws RunError  of the outcome, with the way on
+template <typename Write>
+void write_rest(const Outcome& outcome, const std::string& folder, const Write& write) {
+  if (outcome.error.empty()) {
+    write();
+    return;
+  }
+  try {
+    write();
+  } catch (const RunError&) {
+    // What ended the run, such as a full disk, says more.
+  }
+  throw RunError(outcome.error + way_on(folder));
+}
+
 /// Runs a loop with errors as an ending: what there is will be written before they are reported.
 template <typename Simulate>
 [[nodiscard]] Outcome safely(const Simulate& simulate) {

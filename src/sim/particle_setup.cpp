@@ -50,6 +50,12 @@ Real rate_of(const config::Case& the_case, const config::Injection& injection, R
 
 }  // namespace
 
+bool in_wall(const dem::Settings& settings, const Vec3& x) {
+  dem::TouchList touches;  // a sphere of no size touches what it is in
+  find_touches(settings.walls, x, 0, 0, touches);
+  return touches.count > 0;
+}
+
 Real injected_volume(const config::Case& the_case, const config::Injection& injection, Real density,
                      Real flow) {
   const Real c = injection.value;

@@ -32,6 +32,9 @@ namespace porefines::sim {
 [[nodiscard]] dem::Settings make_settings(const config::Case& the_case, const geom::Sample& sample,
                                           const dem::Box& box);
 
+/// Is a point in a wall or a grain?
+[[nodiscard]] bool in_wall(const dem::Settings& settings, const Vec3& x);
+
 /// [m^3/s] of particles of this density [kg/m^3] in a flow of suspension [m^3/s], for an injection by
 /// volume or mass fraction.
 [[nodiscard]] Real injected_volume(const config::Case& the_case, const config::Injection& injection,

@@ -76,27 +76,27 @@ bool is_chip(const geom::Sample& sample, const Domain& domain) {
   return extruded || 4 * domain.cells[2] <= std::min(domain.cells[0], domain.cells[1]);
 }
 
-report::SliceValues gather_mid_slice(std::span<const float> values, std::span<const float> solid,
-                                     const grid::Block& block, const Domain& domain, int axis,
-                                     const par::Communicator& comm) {
-  report::SliceValues slice = empty_slice(domain, axis);
-  const std::array<int, 2> axes = slice.shape.axes;
-  const int plane = domain.cells[axis] / 2 - block.start[axis];
-  if (plane >= 0 && plane < block.n[axis]) {
-    Int3 cell{};
-    cell[axis] = plane;
-    for (cell[axes[1]] = 0; cell[axes[1]] < block.n[axes[1]]; ++cell[axes[1]]) {
-      for (cell[axes[0]] = 0; cell[axes[0]] < block.n[axes[0]]; ++cell[axes[0]]) {
-        const auto from = static_cast<std::size_t>(
-            cell[0] + block.n[0] * (cell[1] + Index{block.n[1]} * cell[2]));
-        const auto to = static_cast<std::size_t>(block.start[axes[0]] + cell[axes[0]] +
-                                                 Index{slice.shape.width} *
-                                                     (block.start[axes[1]] + cell[axes[1]]));
-        slice.values[to] = values[from];
-        slice.grain[to] = solid[from] > 0.5F ? 1 : 0;
+namespace {
+
+/// Calls visit(place in the plane, place in the block) for this rank's cells, all along the axis.
+template <typename Visit>
+void for_plane(const report::Slice& shape, const grid::Block& block, const Visit& visit) {
+  const auto [right, up] = shape.axes;
+  std::size_t from = 0;
+  Int3 cell{};
+  for (cell[2] = 0; cell[2] < block.n[2]; ++cell[2]) {
+    for (cell[1] = 0; cell[1] < block.n[1]; ++cell[1]) {
+      for (cell[0] = 0; cell[0] < block.n[0]; ++cell[0], ++from) {
+        visit(static_cast<std::size_t>(block.start[right] + cell[right] +
+                                       Index{shape.width} * (block.start[up] + cell[up])),
+              from, cell);
       }
     }
   }
+}
+
+/// Adds up everybody's part on rank 0; empty elsewhere.
+report::SliceValues add_up(report::SliceValues slice, const par::Communicator& comm) {
   const auto count = static_cast<int>(slice.values.size());
   const bool root = comm.is_root();
   MPI_Reduce(root ? MPI_IN_PLACE : slice.values.data(), slice.values.data(), count, MPI_FLOAT,
@@ -104,6 +104,33 @@ report::SliceValues gather_mid_slice(std::span<const float> values, std::span<co
   MPI_Reduce(root ? MPI_IN_PLACE : slice.grain.data(), slice.grain.data(), count, MPI_UINT8_T,
              MPI_SUM, 0, comm.handle());
   return root ? slice : report::SliceValues{};
+}
+
+}  // namespace
+
+report::SliceValues gather_mid_slice(std::span<const float> values, std::span<const float> solid,
+                                     const grid::Block& block, const Domain& domain, int axis,
+                                     const par::Communicator& comm) {
+  report::SliceValues slice = empty_slice(domain, axis);
+  const int plane = domain.cells[axis] / 2 - block.start[axis];
+  for_plane(slice.shape, block, [&](std::size_t to, std::size_t from, const Int3& cell) {
+    if (cell[axis] == plane) {
+      slice.values[to] = values[from];
+      slice.grain[to] = solid[from] > 0.5F ? 1 : 0;
+    }
+  });
+  return add_up(std::move(slice), comm);
+}
+
+report::SliceValues gather_mean_slice(std::span<const float> values, const grid::Block& block,
+                                      const Domain& domain, int axis,
+                                      const par::Communicator& comm) {
+  report::SliceValues slice = empty_slice(domain, axis);
+  const auto share = 1.0F / static_cast<float>(domain.cells[axis]);
+  for_plane(slice.shape, block, [&](std::size_t to, std::size_t from, const Int3&) {
+    slice.values[to] += share * values[from];
+  });
+  return add_up(std::move(slice), comm);
 }
 
 void draw_fields(const std::string& folder, const config::Case& the_case,

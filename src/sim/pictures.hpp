@@ -24,6 +24,11 @@ namespace porefines::sim {
                                                    const grid::Block& block, const Domain& domain,
                                                    int axis, const par::Communicator& comm);
 
+/// The mean along an axis, on rank 0; empty elsewhere. Collective.
+[[nodiscard]] report::SliceValues gather_mean_slice(std::span<const float> values,
+                                                    const grid::Block& block, const Domain& domain,
+                                                    int axis, const par::Communicator& comm);
+
 /// Is one plane enough? Extruded images, cylinders, and boxes that are thin along z.
 [[nodiscard]] bool is_chip(const geom::Sample& sample, const Domain& domain);
 

@@ -102,18 +102,17 @@ Plan make_plan(const config::Case& the_case, const geom::Sample& sample, const D
   return plan;
 }
 
-Real estimate_seconds(const config::Case& the_case, const Plan& plan,
-                      const par::Communicator& comm) {
+void estimate_seconds(const config::Case& the_case, Plan& plan, const par::Communicator& comm) {
   constexpr Real setup_bytes = 20e3;   // moved per cell for links, mobility, coarse grids
   constexpr Real cycle_bytes = 2.5e3;  // and per active cell in a cycle
   constexpr Real fixed = 0.5;          // [s] start, pictures
+  const Real bandwidth = measure_bandwidth(comm);
   const Real cycles = -2 * std::log10(the_case.flow.tolerance);
   const auto& periodic = the_case.flow.periodic;
   const auto solves = the_case.flow.tensor ? std::count(periodic.begin(), periodic.end(), true) : 1;
-  const Real bytes =
-      setup_bytes * static_cast<Real>(plan.cells) +
-      cycle_bytes * cycles * static_cast<Real>(solves) * static_cast<Real>(plan.active_cells);
-  return fixed + bytes / measure_bandwidth(comm);
+  plan.cycle_seconds = cycle_bytes * static_cast<Real>(plan.active_cells) / bandwidth;
+  plan.seconds = fixed + setup_bytes * static_cast<Real>(plan.cells) / bandwidth +
+                 cycles * static_cast<Real>(solves) * plan.cycle_seconds;
 }
 
 void require_memory(const config::Case& the_case, const Plan& plan, const Domain& domain,

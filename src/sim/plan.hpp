@@ -13,12 +13,13 @@ namespace porefines::sim {
 
 /// What a run will cost and what to expect of it, before it is run.
 struct Plan {
-  Real memory = 0;        ///< [bytes] peak of all ranks together
-  Real memory_most = 0;   ///< [bytes] the same where cycles gain little and directions are kept
-  Real seconds = 0;       ///< wall time, about; 0: not estimated
-  Real permeability = 0;  ///< [m^2] Kozeny's guess
-  Real velocity = 0;      ///< [m/s] Darcy velocity that follows
-  Real reynolds = 0;      ///< of that velocity in the pores
+  Real memory = 0;         ///< [bytes] peak of all ranks together
+  Real memory_most = 0;    ///< [bytes] the same where cycles gain little and directions are kept
+  Real seconds = 0;        ///< wall time, about; 0: not estimated
+  Real cycle_seconds = 0;  ///< of one cycle of the solve
+  Real permeability = 0;   ///< [m^2] Kozeny's guess
+  Real velocity = 0;       ///< [m/s] Darcy velocity that follows
+  Real reynolds = 0;       ///< of that velocity in the pores
   Index cells = 0;
   Index active_cells = 0;  ///< in lines of 16 that hold any fluid
 };
@@ -40,10 +41,9 @@ inline constexpr Real direction_bytes = 2 * 4 * sizeof(float);
 [[nodiscard]] Plan make_plan(const config::Case& the_case, const geom::Sample& sample,
                              const Domain& domain, const Probe& probe, int ranks);
 
-/// Wall time of the run [s]: bytes to move at the rate of this machine, which a short sweep over
+/// Sets the wall time of the flow solve and of a cycle [s]: bytes to move at the rate of this machine, which a short sweep over
 /// memory on all ranks at once finds out. Fitted on a loaded machine: an order of size. Collective, a tenth of a second.
-[[nodiscard]] Real estimate_seconds(const config::Case& the_case, const Plan& plan,
-                                    const par::Communicator& comm);
+void estimate_seconds(const config::Case& the_case, Plan& plan, const par::Communicator& comm);
 
 /// Refuses what this machine cannot hold, and says which size it can. Collective.
 /// @throws InputError  on every rank

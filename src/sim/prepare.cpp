@@ -6,6 +6,7 @@
 #include "core/atomic_file.hpp"
 #include "core/log.hpp"
 #include "sim/grains.hpp"
+#include "sim/particle_plan.hpp"
 #include "sim/pictures.hpp"
 #include "sim/probe.hpp"
 #include "sim/session.hpp"
@@ -20,9 +21,20 @@ Prepared prepare(const config::Case& the_case, const par::Communicator& comm) {
   const Probe probe = probe_grid(sample, domain);
   Plan plan = make_plan(the_case, sample, domain, probe, comm.size());
   require_memory(the_case, plan, domain, comm);
-  plan.seconds = estimate_seconds(the_case, plan, comm);
+  estimate_seconds(the_case, plan, comm);
+  std::vector<std::string> fines;
+  if (config::is_coupled(the_case)) {
+    const ParticlePlan particles =
+        plan_particles(the_case, domain, probe.porosity, plan.velocity, plan.cycle_seconds);
+    plan.memory += particles.memory;
+    plan.memory_most += particles.memory;
+    plan.seconds += particles.seconds;
+    require_memory(the_case, plan, domain, comm);
+    fines = describe(particles, domain);
+  }
   stop_if_asked(comm);
   std::vector<std::string> story = describe(the_case, sample, domain, probe, plan);
+  story.insert(story.end(), fines.begin(), fines.end());
   return {std::move(sample), domain, plan,
           par::decompose(domain.cells, comm.size(), probe.work, the_case.grid.decomposition),
           std::move(story)};

@@ -134,15 +134,19 @@ io::SeriesWriter open_table(const std::string& path, const std::vector<std::stri
                                  : io::SeriesWriter(path, names);
 }
 
-bool is_due(const config::Case& the_case, config::OutputKind kind, Index written, Real time) {
-  const Real due = static_cast<Real>(written) * sample_interval(the_case, kind);
-  return is_sampled(the_case, kind) && time >= due * (1 - 1e-12);
+bool falls_due(DryRun& run, config::OutputKind kind) {
+  Index& written = run.state.written_of(kind);
+  const Real due = static_cast<Real>(written) * sample_interval(run.the_case, kind);
+  const bool now = is_sampled(run.the_case, kind) && run.state.time >= due * (1 - 1e-12);
+  written += now ? 1 : 0;
+  return now;
 }
 
 bool is_sampled(const config::Case& the_case, config::OutputKind kind) {
   const config::Output* output = config::find_output(the_case, kind);
-  return kind == config::OutputKind::summary ||
-         (output != nullptr && (kind == config::OutputKind::tracks || output->every > 0));
+  using enum config::OutputKind;
+  return kind == summary ||
+         (output != nullptr && (kind == tracks || kind == movie || output->every > 0));
 }
 
 Real sample_interval(const config::Case& the_case, config::OutputKind kind) {

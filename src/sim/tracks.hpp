@@ -32,12 +32,11 @@ namespace porefines::sim {
                                           const std::vector<std::string>& names, Real time,
                                           Start start);
 
-/// Is the next sample of this output now, `written` samples being there?
-[[nodiscard]] bool is_due(const config::Case& the_case, config::OutputKind kind, Index written,
-                          Real time);
+/// Is the next sample of this output now? Then it counts as written.
+[[nodiscard]] bool falls_due(DryRun& run, config::OutputKind kind);
 
-/// Is there more of this than at the end? Series always, tracks when asked for, pictures when they
-/// say how often.
+/// Is there more of this than at the end? Series always, tracks and movies when asked for, pictures
+/// and fields when they say how often.
 [[nodiscard]] bool is_sampled(const config::Case& the_case, config::OutputKind kind);
 
 /// [s] from sample to sample: what the case says, or a hundredth of the run.

@@ -4,6 +4,8 @@
 #include <array>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -97,6 +99,19 @@ class Background {
   }
 
   void send(int signal) const { kill(process_, signal); }
+
+  /// Processes that it has started, such as the ranks of mpirun.
+  [[nodiscard]] std::vector<pid_t> children() const {
+    std::vector<pid_t> found;
+    const std::string tasks = "/proc/" + std::to_string(process_) + "/task";
+    for (const auto& task : std::filesystem::directory_iterator(tasks)) {
+      std::ifstream list(task.path() / "children");
+      for (pid_t child = 0; list >> child;) {
+        found.push_back(child);
+      }
+    }
+    return found;
+  }
 
   /// From now on it can write no file beyond so many bytes.
   void limit_files(rlim_t bytes) const {

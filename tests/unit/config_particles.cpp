@@ -167,7 +167,7 @@ const Wrong wrongs[] = {
      "\"auto\" or \"newton-euler\" without a flow"},
     {"[[output]]\nkind = \"fields\"\n",
      "11: [[output]]: there are no fields without a flow\n"
-     "kinds here: pictures, tracks, summary"},
+     "kinds here: pictures, tracks, summary, movie"},
     {"[flow]\nregime = \"none\"\nslip = [\"x-\"]\n",
      "11: [flow]: says more than regime = \"none\", which has no flow\n"
      "faces of the box are described in [box]"},
