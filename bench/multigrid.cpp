@@ -55,7 +55,7 @@ void sweep(benchmark::State& state, MediumOf medium) {
 void cycle(benchmark::State& state, MediumOf medium) {
   flow::StokesSolver& solver = prepared(medium());
   flow::Hierarchy& hierarchy = solver.hierarchy();
-  measure(state, solver, cycle_bytes(hierarchy), [&] { flow::cycle(hierarchy); });
+  measure(state, solver, cycle_bytes(hierarchy), [&] { flow::cycle(hierarchy, [] {}); });
 }
 
 void configure(benchmark::internal::Benchmark* b, int iterations) {

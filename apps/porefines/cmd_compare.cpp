@@ -53,7 +53,7 @@ void run_compare(Arguments& a, bool angle_or_scale) {
 }  // namespace
 
 void add_compare(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand("compare", "A run against the tracks of a video");
+  auto* command = app.add_subcommand("compare", about_compare);
   command->footer(
       "Example:\n"
       "  porefines compare out/chip out/chip_video -o out/chip_compared");

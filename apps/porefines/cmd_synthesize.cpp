@@ -56,8 +56,7 @@ void run_synthesize(Arguments& a) {
 }  // namespace
 
 void add_synthesize(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand(
-      "synthesize", "Film tracks, or tracers in a flow, with a synthetic microscope");
+  auto* command = app.add_subcommand("synthesize", about_synthesize);
   command->footer(
       "Examples:\n"
       "  porefines synthesize out/chip --pixel-size \"2 um\" --tracers 300 --frame-rate \"50 Hz\" "

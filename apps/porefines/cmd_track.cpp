@@ -43,7 +43,7 @@ vision::TrackSettings settings_of(const std::vector<std::string>& more) {
 }  // namespace
 
 void add_track(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand("track", "Follow the particles of a microscope video");
+  auto* command = app.add_subcommand("track", about_track);
   command->footer(
       "Examples:\n"
       "  porefines track chip.avi track.toml -o out/chip\n"

@@ -17,8 +17,21 @@ void add_track(CLI::App& app, int& exit_code);
 void add_compare(CLI::App& app, int& exit_code);
 void add_synthesize(CLI::App& app, int& exit_code);
 
+// Those of the program porefines-vision, in a line each.
+inline constexpr const char* about_track = "Follow the particles of a microscope video";
+inline constexpr const char* about_compare = "A run against the tracks of a video";
+inline constexpr const char* about_synthesize =
+    "Film tracks, or tracers in a flow, with a synthetic microscope";
+
 /// Every sub-command, in the order of the help text. A new one is a file and a line here.
 inline constexpr void (*commands[])(CLI::App&, int&) = {
-    add_run, add_inspect, add_generate, add_reference, add_track, add_compare, add_synthesize};
+#ifndef PF_VISION
+    add_run,   add_inspect, add_generate,  add_reference,
+#endif
+    add_track, add_compare, add_synthesize};
+
+/// In porefines: becomes porefines-vision, with the same arguments, when the first one is a command
+/// of that program. Returns nullptr otherwise, and a message where porefines-vision is missing.
+const char* go_elsewhere(int argc, char** argv);
 
 }  // namespace porefines

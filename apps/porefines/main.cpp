@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MPL-2.0
 #include <algorithm>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <sstream>
@@ -93,6 +94,14 @@ Outcome run_command(int argc, char** argv, bool speaks) {
 // What is left to escape is a lack of memory while an error is put into words.
 // NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv) {
+#ifndef PF_VISION
+  if (const char* problem = porefines::go_elsewhere(argc, argv)) {
+    std::cerr << "porefines: " << problem << '\n';
+    return porefines::exit_code::stopped_itself;
+  }
+#endif
+  // Started alone, Open MPI would start a daemon for processes to come: none do, and it costs 0.1 s.
+  ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
   MPI_Init(&argc, &argv);
   MPI_Comm ending = MPI_COMM_NULL;
   MPI_Comm_dup(MPI_COMM_WORLD, &ending);

@@ -2,7 +2,9 @@
 #include "flow/bridges.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
+#include <vector>
 
 namespace porefines::flow {
 
@@ -10,39 +12,71 @@ namespace {
 
 constexpr std::int32_t outside = 0;  ///< order of the node that stands for all beyond the block
 
-/// Depth-first search over the cells of a block, joined by open faces.
+/// Depth-first search over the cells of a block, joined by open faces. Directions are 2 axis + (1: to
+/// the high side); cells are places in memory.
 class BridgeSearch {
  public:
   BridgeSearch(Level& level, const Boundaries& boundaries, Friction& friction)
-      : level_(level), friction_(friction), order_(level.block.size, 0), low_(level.block.size, 0) {
+      : level_(level), friction_(friction), open_(level.block.size, 0), mark_(level.block.size) {
+    const grid::Block& b = level.block;
     for (int a = 0; a < 3; ++a) {
-      wraps_[a] = boundaries.periodic(a) && level.block.n[a] == level.block.global[a];
+      wraps_[a] = boundaries.periodic(a) && b.n[a] == b.global[a];
     }
+    for_cells([&](const Int3& cell, std::int32_t at) {
+      std::uint8_t bits = 0;
+      for (int a = 0; a < 3; ++a) {
+        const bool high = level.inverse_diagonal[a][face_of(cell, 2 * a + 1)] != 0;
+        bits |= (level.inverse_diagonal[a][at] != 0 ? 1 : 0) << (2 * a) | (high ? 2 : 0) << (2 * a);
+        bits |= cell[a] == 0 || cell[a] + 1 == b.n[a] ? at_border : 0;
+      }
+      open_[at] = bits;
+    });
   }
 
   Index close_all() {
-    const grid::Block& b = level_.block;
-    for (int k = 0; k < b.n[2]; ++k) {
-      for (int j = 0; j < b.n[1]; ++j) {
-        for (int i = 0; i < b.n[0]; ++i) {
-          if (order_[b.at(i, j, k)] == 0) {
-            search_from({i, j, k});
-          }
-        }
+    for_cells([&](const Int3&, std::int32_t at) {
+      if (mark_[at].order == 0) {
+        search_from(at);
       }
-    }
+    });
     return closed_;
   }
 
  private:
-  /// A cell on the way from the root: where it is, the face it was entered by, the next to look at.
+  static constexpr int nowhere = 6;
+  static constexpr std::uint8_t at_border = 64;  ///< the cell beyond may be elsewhere, or outside
+  static constexpr std::uint8_t directions = 63;
+
+  struct Mark {
+    std::int32_t order = 0;  ///< when the cell was first seen, from 1; 0: not yet
+    std::int32_t low = 0;    ///< earliest order that its subtree reaches by another way
+  };
+  /// A cell on the way from the root.
   struct Step {
-    Int3 cell;
-    std::uint8_t
-        entered;  ///< direction 2 axis + (1: high side) of the face to the cell before; 6: root
-    std::uint8_t next;
+    std::int32_t at;
+    std::uint8_t entered;  ///< direction of the face to the cell before; nowhere at the root
+    std::uint8_t left;     ///< bits of the open directions still to look at
   };
 
+  template <typename Visit>
+  void for_cells(const Visit& visit) const {
+    const grid::Block& b = level_.block;
+    for (int k = 0; k < b.n[2]; ++k) {
+      for (int j = 0; j < b.n[1]; ++j) {
+        for (int i = 0; i < b.n[0]; ++i) {
+          visit(Int3{i, j, k}, static_cast<std::int32_t>(b.at(i, j, k)));
+        }
+      }
+    }
+  }
+  [[nodiscard]] Int3 cell_of(std::int32_t at) const {
+    const grid::Block& b = level_.block;
+    const std::ptrdiff_t first = b.at(-b.ghost[0], -b.ghost[1], -b.ghost[2]);
+    const std::ptrdiff_t from = at - first;
+    return {static_cast<int>(from % b.sy) - b.ghost[0],
+            static_cast<int>(from % b.sz / b.sy) - b.ghost[1],
+            static_cast<int>(from / b.sz) - b.ghost[2]};
+  }
   /// The face itself, not its copy behind a periodic border.
   [[nodiscard]] std::ptrdiff_t face_of(const Int3& cell, int direction) const {
     const int a = direction / 2;
@@ -51,50 +85,49 @@ class BridgeSearch {
     face[a] = wraps_[a] && face[a] == level_.block.n[a] ? 0 : face[a];
     return level_.block.at(face[0], face[1], face[2]);
   }
-  [[nodiscard]] bool is_open(const Int3& cell, int direction) const {
-    return level_.inverse_diagonal[direction / 2][face_of(cell, direction)] != 0;
-  }
-  /// Moves to the cell behind a face; false where that lies outside the block.
-  [[nodiscard]] bool step_to(Int3& cell, int direction) const {
+  /// The cell behind a face; -1 where that lies outside the block.
+  [[nodiscard]] std::int32_t behind(std::int32_t at, int direction) const {
+    const grid::Block& b = level_.block;
     const int a = direction / 2;
-    const int n = level_.block.n[a];
-    cell[a] += direction % 2 == 0 ? -1 : 1;
-    if (wraps_[a]) {
-      cell[a] = (cell[a] + n) % n;
+    const int ahead = direction % 2 == 0 ? -1 : 1;
+    if ((open_[at] & at_border) == 0) {
+      return at + ahead * static_cast<std::int32_t>(b.stride(a));
     }
-    return cell[a] >= 0 && cell[a] < n;
+    Int3 cell = cell_of(at);
+    cell[a] += ahead;
+    if (wraps_[a]) {
+      cell[a] = (cell[a] + b.n[a]) % b.n[a];
+    }
+    const bool inside = cell[a] >= 0 && cell[a] < b.n[a];
+    return inside ? static_cast<std::int32_t>(b.at(cell[0], cell[1], cell[2])) : -1;
   }
-  void enter(const Int3& cell, int entered) {
-    const std::ptrdiff_t at = level_.block.at(cell[0], cell[1], cell[2]);
-    order_[at] = low_[at] = ++count_;
-    path_.push_back({cell, static_cast<std::uint8_t>(entered), 0});
+  void enter(std::int32_t at, int entered) {
+    mark_[at].order = mark_[at].low = ++count_;
+    const int left = open_[at] & directions & ~(1 << entered);
+    path_.push_back({at, static_cast<std::uint8_t>(entered), static_cast<std::uint8_t>(left)});
   }
-  void search_from(const Int3& root) {
-    enter(root, 6);
+  void search_from(std::int32_t root) {
+    enter(root, nowhere);
     while (!path_.empty()) {
       Step& here = path_.back();
-      if (here.next == 6) {
+      if (here.left == 0) {
         leave();
         continue;
       }
-      const int direction = here.next++;
-      if (direction != here.entered && is_open(here.cell, direction)) {
-        look(here.cell, direction);
-      }
+      const int direction = std::countr_zero(here.left);
+      here.left &= static_cast<std::uint8_t>(here.left - 1);
+      look(here.at, direction);
     }
   }
-  void look(const Int3& from, int direction) {
-    std::int32_t& low = low_[level_.block.at(from[0], from[1], from[2])];
-    Int3 cell = from;
-    if (!step_to(cell, direction)) {
+  void look(std::int32_t from, int direction) {
+    const std::int32_t at = behind(from, direction);
+    std::int32_t& low = mark_[from].low;
+    if (at < 0) {
       low = outside;
-      return;
-    }
-    const std::int32_t seen = order_[level_.block.at(cell[0], cell[1], cell[2])];
-    if (seen != 0) {
-      low = std::min(low, seen);
+    } else if (mark_[at].order != 0) {
+      low = std::min(low, mark_[at].order);
     } else {
-      enter(cell, direction ^ 1);
+      enter(at, direction ^ 1);
     }
   }
   void leave() {
@@ -103,12 +136,10 @@ class BridgeSearch {
     if (path_.empty()) {
       return;
     }
-    const Int3& before = path_.back().cell;
-    const std::ptrdiff_t at = level_.block.at(done.cell[0], done.cell[1], done.cell[2]);
-    const std::ptrdiff_t parent = level_.block.at(before[0], before[1], before[2]);
-    low_[parent] = std::min(low_[parent], low_[at]);
-    if (low_[at] > order_[parent]) {
-      close(done.cell, done.entered);
+    Mark& before = mark_[path_.back().at];
+    before.low = std::min(before.low, mark_[done.at].low);
+    if (mark_[done.at].low > before.order) {
+      close(cell_of(done.at), done.entered);
     }
   }
   void close(const Int3& cell, int direction) {
@@ -122,8 +153,8 @@ class BridgeSearch {
   Level& level_;
   Friction& friction_;
   std::array<bool, 3> wraps_{};
-  std::vector<std::int32_t> order_;  ///< when a cell was first seen, from 1; 0: not yet
-  std::vector<std::int32_t> low_;    ///< earliest order that its subtree reaches by another way
+  std::vector<std::uint8_t> open_;  ///< bits of the open directions, and at_border
+  std::vector<Mark> mark_;
   std::vector<Step> path_;
   std::int32_t count_ = 0;
   Index closed_ = 0;

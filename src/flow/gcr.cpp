@@ -40,7 +40,7 @@ struct Direction {
   Real norm_squared = 0;
 };
 
-Real norm(const par::Communicator& comm, const Packed<double>& v) {
+Real norm(const par::Communicator& comm, const Packed<float>& v) {
   Accumulator sum;
   for (std::size_t at = 0; at < v.size(); at += lanes) {
     sum.add(v.data() + at, v.data() + at);
@@ -50,7 +50,7 @@ Real norm(const par::Communicator& comm, const Packed<double>& v) {
 
 /// (q, q), (r, q) and (q, Q_s) of every kept direction, in one pass and one reduction.
 std::vector<Real> products(const par::Communicator& comm, const Packed<float>& q,
-                           const Packed<double>& r, const std::deque<Direction>& kept) {
+                           const Packed<float>& r, const std::deque<Direction>& kept) {
   std::vector<Accumulator> sums(2 + kept.size());
   for (std::size_t at = 0; at < q.size(); at += lanes) {
     sums[0].add(q.data() + at, q.data() + at);
@@ -69,7 +69,7 @@ std::vector<Real> products(const par::Communicator& comm, const Packed<float>& q
 
 /// Orthogonalises the newest direction and takes the step; returns the sum of r^2 on this rank.
 Real step(Direction& newest, const std::deque<Direction>& kept, const std::vector<float>& beta,
-          Real alpha, Packed<double>& x, Packed<double>& r) {
+          Real alpha, Packed<double>& x, Packed<float>& r) {
   Accumulator sum;
   for (std::size_t at = 0; at < x.size(); at += lanes) {
     float* z = newest.z.data() + at;
@@ -84,7 +84,7 @@ Real step(Direction& newest, const std::deque<Direction>& kept, const std::vecto
     }
     for (int l = 0; l < lanes; ++l) {
       x[at + l] += alpha * static_cast<double>(z[l]);
-      r[at + l] -= alpha * static_cast<double>(q[l]);
+      r[at + l] = static_cast<float>(r[at + l] - alpha * static_cast<double>(q[l]));
     }
     sum.add(r.data() + at, r.data() + at);
   }
@@ -95,7 +95,7 @@ Real step(Direction& newest, const std::deque<Direction>& kept, const std::vecto
 
 SolveReport solve_gcr(const par::Communicator& comm, Hierarchy& hierarchy, Operator& k,
                       const Packed<float>& b, Packed<double>& x, const SolveOptions& options) {
-  Packed<double> r(k.size());
+  Packed<float> r(k.size());
   k.residual(b, x, r);
   Real size = norm(comm, r);
   const Real reference = options.reference > 0 ? options.reference : size;
@@ -127,12 +127,14 @@ SolveReport solve_gcr(const par::Communicator& comm, Hierarchy& hierarchy, Opera
     }
     newest.z.resize(k.size());
     newest.q.resize(k.size());
-    if (stalled) {
-      k.load_right_hand_side(kept.back().q, 1 / std::sqrt(kept.back().norm_squared));
-    } else {
-      k.load_right_hand_side(r, 1 / size);
-    }
-    cycle(hierarchy, k.spheres());
+    const auto load_sides = [&] {
+      if (stalled) {
+        k.load_right_hand_side(kept.back().q, 1 / std::sqrt(kept.back().norm_squared));
+      } else {
+        k.load_right_hand_side(r, 1 / size);
+      }
+    };
+    cycle(hierarchy, load_sides, k.spheres());
     k.store_unknowns(newest.z);
     k.apply(newest.q);
     const std::vector<Real> dots = products(comm, newest.q, r, kept);

@@ -36,9 +36,9 @@ struct SolveReport {
 /// Orthodir: the search space grows all the same.
 /// Each slow mode that a cycle leaves behind costs about one kept direction. Coarse grids that see the
 /// throats (coarse_mobility) leave few, so most_directions is small.
-/// x and r are double; directions are float. Since rounding of q lets r drift from b - K x by
-/// about 1e-7, the true residual is recomputed before convergence is claimed and, where needed,
-/// the iteration goes on from it: any tolerance down to 1e-12 can be asked for.
+/// x is double, all else float. Since rounding lets r drift from b - K x by about 1e-7, the true
+/// residual is recomputed before convergence is claimed and, where needed, the iteration goes on from
+/// it: any tolerance down to 1e-12 can be asked for.
 /// Eisenstat, Elman & Schultz, SIAM J. Numer. Anal. 20 (1983) 345-357.
 /// b is float: a relative change of the drive by 6e-8 at most. Two reductions per cycle; collective.
 SolveReport solve_gcr(const par::Communicator& comm, Hierarchy& hierarchy, Operator& k,

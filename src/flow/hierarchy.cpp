@@ -162,6 +162,7 @@ void Hierarchy::solve_mobility() {
       }
       before = total;
     }
+    std::fill(fine.f[c].begin(), fine.f[c].end(), 0.0F);
     // Over-relaxation may leave a face below what it would have all alone.
     for (std::size_t at = 0; at < fine.block.size; ++at) {
       const float alone = fine.weight[c][at] * fine.inverse_diagonal[c][at];
@@ -218,14 +219,20 @@ void clear_unknowns(Level& level) {
   std::fill(level.p.begin(), level.p.end(), 0.0F);
 }
 
-/// @param spheres  of the finest level; nullptr below it
-void visit(Hierarchy& hierarchy, int l, bool from_zero, RigidSpheres* spheres) {
+void exchange_sides(Level& level) {
+  const std::array<float*, 4> sides{level.f[0].data(), level.f[1].data(), level.f[2].data(),
+                                    level.g.data()};
+  level.halo.exchange(sides, sweep_depth);
+}
+
+/// @param load_sides  of the finest level, as for cycle()
+/// @param spheres     of the finest level; nullptr below it
+void visit(Hierarchy& hierarchy, int l, bool from_zero, const std::function<void()>& load_sides,
+           RigidSpheres* spheres) {
   Level& level = hierarchy.level(l);
   if (from_zero) {
     clear_unknowns(level);
-    const std::array<float*, 4> right_hand_side{level.f[0].data(), level.f[1].data(),
-                                                level.f[2].data(), level.g.data()};
-    level.halo.exchange(right_hand_side, sweep_depth);
+    exchange_sides(level);
   }
   if (l + 1 == hierarchy.size()) {
     smooth(level, coarsest_sweeps, false, from_zero, spheres);
@@ -237,8 +244,12 @@ void visit(Hierarchy& hierarchy, int l, bool from_zero, RigidSpheres* spheres) {
     spheres->spread_residual();
   }
   hierarchy.transfer(l).restrict_residual(level, hierarchy.level(l + 1));
-  visit(hierarchy, l + 1, true, nullptr);
-  visit(hierarchy, l + 1, false, nullptr);
+  if (level.lends_sides) {
+    load_sides();
+    exchange_sides(level);
+  }
+  visit(hierarchy, l + 1, true, {}, nullptr);
+  visit(hierarchy, l + 1, false, {}, nullptr);
   hierarchy.transfer(l).prolong(hierarchy.level(l + 1), level);
   if (spheres != nullptr) {
     spheres->take_correction();
@@ -248,11 +259,13 @@ void visit(Hierarchy& hierarchy, int l, bool from_zero, RigidSpheres* spheres) {
 
 }  // namespace
 
-void cycle(Hierarchy& hierarchy, RigidSpheres* spheres) {
+void cycle(Hierarchy& hierarchy, const std::function<void()>& load_sides, RigidSpheres* spheres) {
+  hierarchy.finest().lend_sides(hierarchy.finest().replicated && spheres == nullptr);
+  load_sides();
   if (spheres != nullptr) {
     spheres->rest();
   }
-  visit(hierarchy, 0, true, spheres);
+  visit(hierarchy, 0, true, load_sides, spheres);
 }
 
 void smooth_finest(Hierarchy& hierarchy, RigidSpheres* spheres, int count) {

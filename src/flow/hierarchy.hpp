@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <vector>
 
 #include "flow/level.hpp"
@@ -49,12 +50,15 @@ class Hierarchy {
   int mobility_sweeps_ = 0;
 };
 
-/// One multigrid cycle for the system whose right-hand side is in f and g of the finest level (owned
-/// values suffice); leaves the correction in u and p, starting from zero.
+/// One multigrid cycle; leaves the correction in u and p of the finest level, starting from zero.
 ///
+/// load_sides() puts the right-hand side into f and g of that level (owned values suffice). Where the
+/// level lends them to the residual it is called again after the coarse levels: the memory of four
+/// fields for a pass over two.
 /// W cycle with two sweeps before and after: every coarse level is visited twice. Coarse levels know
 /// nothing of spheres; on the finest each sweep is followed by an update of theirs.
-void cycle(Hierarchy& hierarchy, RigidSpheres* spheres = nullptr);
+void cycle(Hierarchy& hierarchy, const std::function<void()>& load_sides,
+           RigidSpheres* spheres = nullptr);
 
 /// Sweeps of the finest level, each followed by an update of the spheres; from what u and p hold.
 void smooth_finest(Hierarchy& hierarchy, RigidSpheres* spheres, int count);

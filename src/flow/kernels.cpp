@@ -253,7 +253,7 @@ void residual_line(Level& level, const RowStencil<c>& s, int i, std::ptrdiff_t a
   const float* inverse = level.inverse_diagonal[c].data() + at;
   const float* carry = level.carry[c].data() + at;
   const float* weight = weighted ? level.weight[c].data() + at : nullptr;
-  float* r = level.r[c].data() + at;
+  float* r = level.residual_of(c) + at;
 #pragma omp simd
   for (int l = 0; l < width; ++l) {
     float pull = (p[l] - p[l - sc]) * (c == 0 ? s.x_gradient[i + l] : s.gradient);
@@ -289,7 +289,7 @@ void residual_rows(Level& level, int k, RowRange rows) {
       const float* ww = weighted ? level.weight[2].data() + at : nullptr;
       const float* g = level.g.data() + at;
       const float* push = level.push.data() + at;
-      float* rg = level.rg.data() + at;
+      float* rg = level.residual_of(3) + at;
 #pragma omp simd
       for (int l = 0; l < width; ++l) {
         const float divergence =

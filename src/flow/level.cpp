@@ -15,16 +15,27 @@ Level::Level(const par::Communicator& comm, const par::Decomposition& cut,
   for (int a = 0; a < 3; ++a) {
     axis[a] = make_axis(block, a, widths[a], boundaries);
   }
-  for (Floats3* fields : {&inverse_diagonal, &mobility, &u, &f, &r}) {
+  for (Floats3* fields : {&inverse_diagonal, &mobility, &u, &f}) {
     for (Floats& field : *fields) {
       field.assign(block.size, 0.0F);
     }
   }
-  for (Floats* field : {&push, &p, &g, &rg}) {
+  for (Floats* field : {&push, &p, &g}) {
     field->assign(block.size, 0.0F);
   }
+  lend_sides(finest);
   for (Floats& field : weight) {
     field.assign(finest ? block.size : 0, 0.0F);
+  }
+}
+
+void Level::lend_sides(bool lend) {
+  if (lend == lends_sides) {
+    return;
+  }
+  lends_sides = lend;
+  for (Floats* field : {&r[0], &r[1], &r[2], &rg}) {
+    *field = lend ? Floats{} : Floats(block.size, 0.0F);
   }
 }
 

@@ -54,6 +54,8 @@ struct Level {
   Floats g;   ///< continuity right-hand side
   Floats3 r;  ///< carry times momentum residual, on its way to the coarse level
   Floats rg;  ///< continuity residual
+  bool lends_sides =
+      true;  ///< r and rg are empty and f and g take the residual: saves 16 bytes a cell
 
   Level(const par::Communicator& comm, const par::Decomposition& cut,
         std::array<std::vector<Real>, 3> cell_widths, const Boundaries& boundaries, int ghost_depth,
@@ -69,6 +71,14 @@ struct Level {
     }
     return true;
   }
+
+  /// Where the residual of a component goes; 3: continuity.
+  [[nodiscard]] float* residual_of(int component) {
+    return lends_sides ? (component < 3 ? f[component] : g).data()
+                       : (component < 3 ? r[component] : rg).data();
+  }
+  /// Gives r and rg memory of their own, or takes it back.
+  void lend_sides(bool lend);
 
   [[nodiscard]] bool weighted() const { return !weight[0].empty(); }
   /// W M at a face.

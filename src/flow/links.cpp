@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include "flow/smoother.hpp"
 
@@ -206,21 +208,59 @@ Friction link_to_surface(Level& finest, const Boundaries& boundaries,
   return friction;
 }
 
+namespace {
+
+/// 1 in pores, 0 in grains, for every cell that link_to_voxels looks at: two layers beyond the ghosts.
+class PoreCells {
+ public:
+  PoreCells(const grid::Block& b, const IsPore& is_pore) {
+    std::size_t count = 1;
+    for (int a = 0; a < 3; ++a) {
+      first_[a] = -b.ghost[a] - 2;
+      n_[a] = b.n[a] + 2 * b.ghost[a] + 5;
+      count *= static_cast<std::size_t>(n_[a]);
+    }
+    pore_.reserve(count);
+    for (int k = 0; k < n_[2]; ++k) {
+      for (int j = 0; j < n_[1]; ++j) {
+        for (int i = 0; i < n_[0]; ++i) {
+          pore_.push_back(is_pore(i + first_[0] + b.start[0], j + first_[1] + b.start[1],
+                                  k + first_[2] + b.start[2])
+                              ? 1
+                              : 0);
+        }
+      }
+    }
+  }
+  [[nodiscard]] std::size_t at(const Int3& cell) const {
+    return static_cast<std::size_t>(cell[0] - first_[0]) +
+           static_cast<std::size_t>(cell[1] - first_[1]) * stride(1) +
+           static_cast<std::size_t>(cell[2] - first_[2]) * stride(2);
+  }
+  [[nodiscard]] std::size_t stride(int axis) const {
+    const auto row = static_cast<std::size_t>(n_[0]);
+    return axis == 0 ? 1 : axis == 1 ? row : row * static_cast<std::size_t>(n_[1]);
+  }
+  [[nodiscard]] int operator[](std::size_t at) const { return pore_[at]; }
+
+ private:
+  Int3 first_{};
+  Int3 n_{};
+  std::vector<std::uint8_t> pore_;
+};
+
+}  // namespace
+
 Friction link_to_voxels(Level& finest, const Boundaries& boundaries, const IsPore& is_pore) {
   Friction friction = no_flow(finest);
+  const PoreCells pore(finest.block, is_pore);
   for (int c = 0; c < 3; ++c) {
     const Faces faces(finest, boundaries, c);
-    Int3 back{0, 0, 0};
-    back[c] = 1;
-    const auto pores = [&](Int3 q) {  // pore cells at the sides of a face
-      for (int a = 0; a < 3; ++a) {
-        q[a] += finest.block.start[a];
-      }
-      return (is_pore(q[0], q[1], q[2]) ? 1 : 0) +
-             (is_pore(q[0] - back[0], q[1] - back[1], q[2] - back[2]) ? 1 : 0);
-    };
+    const std::size_t back = pore.stride(c);
+    const auto pores = [&](std::size_t at) { return pore[at] + pore[at - back]; };
     faces.for_each([&](int i, int j, int k) {
-      if (pores({i, j, k}) < 2) {
+      const std::size_t at = pore.at({i, j, k});
+      if (pores(at) < 2) {
         return;
       }
       Link link{faces.box_link(i, j, k).excess, 1};
@@ -230,11 +270,10 @@ Friction link_to_voxels(Level& finest, const Boundaries& boundaries, const IsPor
         }
         const auto e = faces.stencil(t, Int3{i, j, k}[t]);
         for (int side = 0; side < 2; ++side) {
-          Int3 q{i, j, k};
-          q[t] += side == 0 ? -1 : 1;
-          const bool inside = faces.exists(t, q[t]);
+          const bool inside = faces.exists(t, Int3{i, j, k}[t] + (side == 0 ? -1 : 1));
+          const std::size_t next = side == 0 ? at - pore.stride(t) : at + pore.stride(t);
           // Two grain cells: a wall half a cell away. One: half wall, half open.
-          link.excess += inside ? e[side] * (2 - pores(q)) / 2 : 0;
+          link.excess += inside ? e[side] * (2 - pores(next)) / 2 : 0;
         }
       }
       set_face(finest, friction, faces, c, {i, j, k}, link);

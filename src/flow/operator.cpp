@@ -130,7 +130,7 @@ void Operator::apply(Packed<T>& out) {
 template void Operator::apply<float>(Packed<float>&);
 template void Operator::apply<double>(Packed<double>&);
 
-void Operator::residual(const Packed<float>& b, const Packed<double>& x, Packed<double>& r) {
+void Operator::residual(const Packed<float>& b, const Packed<double>& x, Packed<float>& r) {
   Packed<float> part(size());
   Packed<double> image(size());
   for (std::size_t at = 0; at < size(); ++at) {
@@ -139,20 +139,14 @@ void Operator::residual(const Packed<float>& b, const Packed<double>& x, Packed<
   load_unknowns(part);
   apply(image);
   for (std::size_t at = 0; at < size(); ++at) {
-    r[at] = b[at] - image[at];
+    r[at] = static_cast<float>(b[at] - image[at]);
     part[at] = static_cast<float>(x[at] - static_cast<double>(part[at]));
   }
   load_unknowns(part);
   apply(image);
   for (std::size_t at = 0; at < size(); ++at) {
-    r[at] -= image[at];
+    r[at] = static_cast<float>(r[at] - image[at]);
   }
-}
-
-bool Operator::owned_and_active(int component, int i, int j, int k) const {
-  const std::ptrdiff_t at = level_.block.at(i, j, k);
-  return level_.owns(component, {i, j, k}) &&
-         (component < 3 ? level_.inverse_diagonal[component][at] : level_.push[at]) != 0;
 }
 
 template <typename T>

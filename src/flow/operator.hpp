@@ -42,7 +42,7 @@ class Operator {
   void apply(Packed<T>& out);
 
   /// r = b - K x, with x split into two floats so that nothing is lost. Overwrites u and p.
-  void residual(const Packed<float>& b, const Packed<double>& x, Packed<double>& r);
+  void residual(const Packed<float>& b, const Packed<double>& x, Packed<float>& r);
 
   /// Right-hand side of the level = scale * v; zero elsewhere.
   template <typename T>
@@ -92,8 +92,17 @@ class Operator {
   template <typename Visit>
   void visit_line(std::size_t line, int component, const Visit& visit) const {
     const Line& q = lines_[line];
+    const std::ptrdiff_t at = level_.block.at(q.i, q.j, q.k);
+    const float* active =
+        (component < 3 ? level_.inverse_diagonal[component] : level_.push).data() + at;
+    const auto owned = [&](int a) -> const float* {
+      const auto& axis = level_.axis[a];
+      return (a == component ? axis.owned_face : axis.owned_cell).data() + axis.offset;
+    };
+    const float row = owned(1)[q.j] * owned(2)[q.k];
+    const float* owned_x = owned(0) + q.i;
     for (int l = 0; l < grid::line_width; ++l) {
-      if (owned_and_active(component, q.i + l, q.j, q.k)) {
+      if (owned_x[l] * row * active[l] != 0) {
         visit(q.i + l, q.j, q.k, line * packed_width + component * grid::line_width + l);
       }
     }
@@ -101,7 +110,6 @@ class Operator {
   /// fields = scale * v on the active lines.
   template <typename T>
   void scatter(const std::array<Floats*, 4>& fields, const Packed<T>& v, double scale);
-  [[nodiscard]] bool owned_and_active(int component, int i, int j, int k) const;
 
   Level& level_;
   const Friction& friction_;

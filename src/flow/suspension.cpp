@@ -73,6 +73,7 @@ std::vector<WallGap> StokesSolver::scaled_walls() const {
 /// faces keep the sphere's velocity. Stale values would make a warm solve converge to a wrong answer.
 void StokesSolver::fill_vacated(const std::vector<std::uint32_t>& vacated) {
   Level& level = hierarchy_.finest();
+  level.lend_sides(false);
   Floats& known = level.rg;
   for (std::size_t at = 0; at < known.size(); ++at) {
     known[at] = level.push[at] != 0 ? 1.0F : 0.0F;

@@ -59,14 +59,14 @@ int fine_count(const grid::Block& fine, int axis, bool faces) {
 }
 
 /// Row of sums over source rows: row[i] = sum w field(i, j, k), for local x index i in [first, last).
-void combine(const grid::Block& b, const Floats& field, const Sources& rows, const Sources& planes,
+void combine(const grid::Block& b, const float* field, const Sources& rows, const Sources& planes,
              const Int3& offset, int first, int last, float* row) {
   std::fill(row + first, row + last, 0.0F);
   for (int kk = 0; kk < planes.count; ++kk) {
     for (int jj = 0; jj < rows.count; ++jj) {
       const float w = rows.weight[jj] * planes.weight[kk];
       const float* from =
-          field.data() + b.at(offset[0], rows.index[jj] + offset[1], planes.index[kk] + offset[2]);
+          field + b.at(offset[0], rows.index[jj] + offset[1], planes.index[kk] + offset[2]);
 #pragma omp simd
       for (int i = first; i < last; ++i) {
         row[i] += w * from[i];
@@ -98,7 +98,7 @@ Transfer::Transfer(const par::Communicator& comm, const Level& fine, const Level
   }
 }
 
-void Transfer::restrict_faces(int component, const Floats& fine_field, const Level& fine,
+void Transfer::restrict_faces(int component, const float* fine_field, const Level& fine,
                               Floats& out, const Level& coarse) const {
   const grid::Block& f = fine.block;
   std::vector<float> buffer(static_cast<std::size_t>(f.n[0]) + 4, 0.0F);
@@ -126,14 +126,14 @@ void Transfer::restrict_faces(int component, const Floats& fine_field, const Lev
   }
 }
 
-void Transfer::restrict_cells(const Level& fine, Level& coarse) const {
+void Transfer::restrict_cells(Level& fine, Level& coarse) const {
   const grid::Block& f = fine.block;
   std::vector<float> row(static_cast<std::size_t>(f.n[0]) + 2, 0.0F);
   for (int K = 0; K < coarse_count(f, 2, false); ++K) {
     const Sources planes = restriction_sources(axis_[2], K, false, f.n[2]);
     for (int J = 0; J < coarse_count(f, 1, false); ++J) {
       const Sources rows = restriction_sources(axis_[1], J, false, f.n[1]);
-      combine(f, fine.rg, rows, planes, {0, 0, 0}, 0, f.n[0], row.data());
+      combine(f, fine.residual_of(3), rows, planes, {0, 0, 0}, 0, f.n[0], row.data());
       float* to = coarse.g.data() + coarse.block.at(offset_[0], J + offset_[1], K + offset_[2]);
       for (int I = 0; I < coarse_count(f, 0, false); ++I) {
         to[I] = axis_[0].cell_first[I] * row[2 * I] + axis_[0].cell_second[I] * row[2 * I + 1];
@@ -199,9 +199,9 @@ void Transfer::share_flux(Level& fine) const {
   fine.halo.exchange(fields, 1);
 }
 
-void Transfer::restrict_residual(const Level& fine, Level& coarse) const {
+void Transfer::restrict_residual(Level& fine, Level& coarse) const {
   for (int a = 0; a < 3; ++a) {
-    restrict_faces(a, fine.r[a], fine, coarse.f[a], coarse);
+    restrict_faces(a, fine.residual_of(a), fine, coarse.f[a], coarse);
   }
   restrict_cells(fine, coarse);
   gather({coarse.f[0].data(), coarse.f[1].data(), coarse.f[2].data(), coarse.g.data()}, coarse);
@@ -226,7 +226,7 @@ void Transfer::prolong_faces(int component, const Level& coarse, Level& fine) co
     const Sources planes = prolongation_sources(axis_[2], k, component == 2);
     for (int j = 0; j < fine_count(f, 1, component == 1); ++j) {
       const Sources rows = prolongation_sources(axis_[1], j, component == 1);
-      combine(coarse.block, coarse.u[component], rows, planes, offset_, 0, coarse_columns,
+      combine(coarse.block, coarse.u[component].data(), rows, planes, offset_, 0, coarse_columns,
               coarse_row.data());
       if (component == 0) {
         for (int i = 0; i < columns; i += 2) {

@@ -32,7 +32,7 @@ class Transfer {
   void share_flux(Level& fine) const;
 
   /// Expects find_residual(fine); leaves f and g of the coarse level, ghosts not filled.
-  void restrict_residual(const Level& fine, Level& coarse) const;
+  void restrict_residual(Level& fine, Level& coarse) const;
 
   /// Adds the coarse correction to the unknowns that the fine level owns.
   void prolong(Level& coarse, Level& fine) const;
@@ -42,9 +42,9 @@ class Transfer {
     Int3 first;
     Int3 last;
   };
-  void restrict_faces(int component, const Floats& fine_field, const Level& fine, Floats& out,
+  void restrict_faces(int component, const float* fine_field, const Level& fine, Floats& out,
                       const Level& coarse) const;
-  void restrict_cells(const Level& fine, Level& coarse) const;
+  void restrict_cells(Level& fine, Level& coarse) const;
   /// Mean of W M over the fine faces in the plane of `face` that belong to one coarse face.
   [[nodiscard]] Real mean_across(int component, const Level& fine, const Int3& face) const;
   void prolong_faces(int component, const Level& coarse, Level& fine) const;

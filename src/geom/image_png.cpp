@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MPL-2.0
 #include <algorithm>
-#include <cstring>
+#include <bit>
+#include <cmath>
+#include <csetjmp>
 
 #include <fmt/format.h>
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
+#include <png.h>
 
 #include "core/error.hpp"
 #include "geom/image_codec.hpp"
@@ -21,22 +22,94 @@ std::uint32_t big_endian(const std::uint8_t* p) {
          p[3];
 }
 
-cv::Mat decode(std::span<const std::uint8_t> bytes, const std::string& name) {
-  const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8U,
-                    const_cast<std::uint8_t*>(bytes.data()));  // OpenCV reads it only
-  cv::Mat image;
-  try {
-    image = cv::imdecode(raw, cv::IMREAD_UNCHANGED);
-  } catch (const cv::Exception&) {
-    image.release();
+struct Source {
+  std::span<const std::uint8_t> left;
+};
+
+void give_bytes(png_structp png, png_bytep to, png_size_t count) {
+  auto& source = *static_cast<Source*>(png_get_io_ptr(png));
+  if (count > source.left.size()) {
+    png_error(png, "the file ends too early");
   }
-  if (image.empty() || (image.depth() != CV_8U && image.depth() != CV_16U)) {
-    throw InputError(
-        fmt::format("{}: this PNG cannot be decoded; it is corrupt or cut short.\n"
-                    "Try opening it in an image viewer and saving it again as 8-bit grey PNG.",
-                    name));
+  std::copy_n(source.left.begin(), count, to);
+  source.left = source.left.subspan(count);
+}
+
+[[noreturn]] void leave(png_structp png, png_const_charp) {
+  png_longjmp(png, 1);
+}
+void ignore_warning(png_structp, png_const_charp) {}
+
+/// What a picture is made of, once palettes are looked up and bits are at least 8.
+struct Layout {
+  png_uint_32 width = 0;
+  png_uint_32 height = 0;
+  int channels = 0;  ///< 1 grey, 2 grey and alpha, 3 colour, 4 colour and alpha
+  int depth = 0;     ///< bits of a sample: 8 or 16
+};
+
+/// libpng reports errors by longjmp: this frame and the next hold nothing that needs a destructor.
+bool read_layout(png_structp png, png_infop info, Layout& layout) {
+  if (setjmp(png_jmpbuf(png)) != 0) {
+    return false;
   }
-  return image;
+  png_read_info(png, info);
+  png_set_expand(png);
+  if constexpr (std::endian::native == std::endian::little) {
+    png_set_swap(png);
+  }
+  png_set_interlace_handling(png);
+  png_read_update_info(png, info);
+  layout = {png_get_image_width(png, info), png_get_image_height(png, info),
+            png_get_channels(png, info), png_get_bit_depth(png, info)};
+  return true;
+}
+
+bool read_rows(png_structp png, png_bytepp rows) {
+  if (setjmp(png_jmpbuf(png)) != 0) {
+    return false;
+  }
+  png_read_image(png, rows);
+  png_read_end(png, nullptr);
+  return true;
+}
+
+/// Grey of one picture: luma of ITU-R BT.601 where there is colour; alpha is not looked at.
+template <typename Value>
+std::vector<Value> to_luma(const std::vector<std::uint8_t>& bytes, const Layout& layout) {
+  const auto* const samples = reinterpret_cast<const Value*>(bytes.data());
+  std::vector<Value> grey(std::size_t{layout.width} * layout.height);
+  for (std::size_t at = 0; at < grey.size(); ++at) {
+    const Value* const s = samples + at * static_cast<std::size_t>(layout.channels);
+    grey[at] = layout.channels < 3
+                   ? s[0]
+                   : static_cast<Value>(std::lround(0.299 * s[0] + 0.587 * s[1] + 0.114 * s[2]));
+  }
+  return grey;
+}
+
+/// The picture's bytes, row after row; empty when it cannot be decoded.
+std::vector<std::uint8_t> decode(std::span<const std::uint8_t> bytes, Layout& layout) {
+  Source source{bytes};
+  std::vector<std::uint8_t> out;
+  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, leave, ignore_warning);
+  png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
+  if (info != nullptr) {
+    png_set_read_fn(png, &source, give_bytes);
+    if (read_layout(png, info, layout)) {
+      const std::size_t stride = png_get_rowbytes(png, info);
+      out.resize(stride * layout.height);
+      std::vector<png_bytep> rows(layout.height);
+      for (std::size_t r = 0; r < rows.size(); ++r) {
+        rows[r] = out.data() + r * stride;
+      }
+      if (!read_rows(png, rows.data())) {
+        out.clear();
+      }
+    }
+  }
+  png_destroy_read_struct(&png, &info, nullptr);
+  return out;
 }
 
 }  // namespace
@@ -53,21 +126,19 @@ Samples read_png(std::span<const std::uint8_t> bytes, const std::string& name,
                                  name, bytes.size()));
   }
   require_reasonable_size(name, big_endian(&bytes[16]), big_endian(&bytes[20]), 1, limits);
-  cv::Mat image = decode(bytes, name);
-  if (image.channels() == 4) {
-    cv::cvtColor(image, image, cv::COLOR_BGRA2GRAY);
-  } else if (image.channels() == 3) {
-    cv::cvtColor(image, image, cv::COLOR_BGR2GRAY);
+  Layout layout;
+  const std::vector<std::uint8_t> picture = decode(bytes, layout);
+  if (picture.empty()) {
+    throw InputError(
+        fmt::format("{}: this PNG cannot be decoded; it is corrupt or cut short.\n"
+                    "Try opening it in an image viewer and saving it again as 8-bit grey PNG.",
+                    name));
   }
-  Samples samples{{image.cols, image.rows, 1}, {}, {}};
-  const auto count = static_cast<std::size_t>(image.cols) * image.rows;
-  image = image.isContinuous() ? image : image.clone();
-  if (image.depth() == CV_16U) {
-    samples.wide.resize(count);
-    std::memcpy(samples.wide.data(), image.data, 2 * count);
+  Samples samples{{static_cast<int>(layout.width), static_cast<int>(layout.height), 1}, {}, {}};
+  if (layout.depth == 16) {
+    samples.wide = to_luma<std::uint16_t>(picture, layout);
   } else {
-    samples.narrow.resize(count);
-    std::memcpy(samples.narrow.data(), image.data, count);
+    samples.narrow = to_luma<std::uint8_t>(picture, layout);
   }
   return samples;
 }

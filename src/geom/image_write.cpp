@@ -5,7 +5,7 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <opencv2/imgcodecs.hpp>
+#include <png.h>
 #include <tiffio.h>
 
 #include "core/atomic_file.hpp"
@@ -23,15 +23,23 @@ void copy_row(const VoxelView& voxels, int r, int k, std::uint8_t* to) {
 }
 
 void write_png_image(const std::string& path, const VoxelView& voxels) {
-  cv::Mat1b image(voxels.n[1], voxels.n[0]);
+  const auto width = static_cast<std::size_t>(voxels.n[0]);
+  std::vector<std::uint8_t> pixels(width * static_cast<std::size_t>(voxels.n[1]));
   for (int r = 0; r < voxels.n[1]; ++r) {
-    copy_row(voxels, r, 0, image.ptr(r));
+    copy_row(voxels, r, 0, pixels.data() + r * width);
   }
-  std::vector<std::uint8_t> bytes;
-  if (!cv::imencode(".png", image, bytes)) {
-    throw RunError("cannot encode " + path);
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = static_cast<png_uint_32>(voxels.n[0]);
+  image.height = static_cast<png_uint_32>(voxels.n[1]);
+  image.format = PNG_FORMAT_GRAY;
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
+  std::string bytes(size, '\0');
+  if (png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels.data(), 0, nullptr) == 0) {
+    throw RunError("cannot encode " + path + ": " + image.message);
   }
-  write_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  bytes.resize(size);
+  write_file(path, bytes);
 }
 
 void write_tiff_image(const std::string& path, const VoxelView& voxels) {
