@@ -5,17 +5,19 @@
 #include <new>
 #include <vector>
 
-#include <sys/mman.h>
-
 namespace porefines {
 
-/// Allocates on cache-line boundaries, so that lines of 16 floats are whole vector loads. What fills
-/// huge pages asks the system for them, and then costs one page fault per 2 MB instead of 512.
+/// Memory in huge pages, straight from the system and back to it: one page fault per 2 MB instead of
+/// 512, and no holes in the heap. Aligned to a huge page. Throws std::bad_alloc.
+[[nodiscard]] void* map_pages(std::size_t bytes);
+void unmap_pages(void* memory, std::size_t bytes);
+inline constexpr std::size_t huge_page = std::size_t{2} << 20;
+
+/// Allocates on cache-line boundaries, so that lines of 16 floats are whole vector loads.
 template <typename T>
 struct CacheLineAllocator {
   using value_type = T;
-  static constexpr std::size_t line = 64;
-  static constexpr std::size_t huge = std::size_t{2} << 20;
+  static constexpr std::align_val_t alignment{64};
 
   CacheLineAllocator() = default;
   template <typename U>
@@ -23,21 +25,13 @@ struct CacheLineAllocator {
 
   T* allocate(std::size_t count) {
     const std::size_t bytes = count * sizeof(T);
-    void* const memory = ::operator new(bytes, alignment(bytes));
-    if (bytes >= huge) {
-      ::madvise(memory, bytes / huge * huge, MADV_HUGEPAGE);  // a wish: no matter if it fails
-    }
-    return static_cast<T*>(memory);
+    return static_cast<T*>(bytes < huge_page ? ::operator new(bytes, alignment) : map_pages(bytes));
   }
   void deallocate(T* memory, std::size_t count) {
-    ::operator delete(memory, alignment(count * sizeof(T)));
+    const std::size_t bytes = count * sizeof(T);
+    bytes < huge_page ? ::operator delete(memory, alignment) : unmap_pages(memory, bytes);
   }
   friend bool operator==(const CacheLineAllocator&, const CacheLineAllocator&) { return true; }
-
- private:
-  static std::align_val_t alignment(std::size_t bytes) {
-    return std::align_val_t{bytes >= huge ? huge : line};
-  }
 };
 
 template <typename T>

@@ -201,8 +201,9 @@ SolveReport StokesSolver::solve(const Drive& drive, SolveOptions options) {
   const Packed<float> b = right_hand_side(drive);
   x_ = first_guess(drive);
   options.reference = reference_norm(drive, b);
+  const Real even = std::max(flux_tolerance, options.tolerance);
   SolveReport report = solve_gcr(comm_, hierarchy_, *operator_, b, x_, options);
-  while (report.converged && report.residual > tightest && flux_variation() > flux_tolerance) {
+  while (report.converged && report.residual > tightest && flux_variation() > even) {
     options.tolerance = report.residual / 4;
     const SolveReport more = solve_gcr(comm_, hierarchy_, *operator_, b, x_, options);
     report.flux_cycles += more.cycles;

@@ -65,7 +65,7 @@ class StokesSolver {
   static constexpr Real flux_tolerance = 1e-6;
 
   /// Solves for one drive: to options.tolerance, and on until the flux is the same through all planes
-  /// to flux_tolerance (a tight rock passes so little that its flux weighs nothing in the residual).
+  /// to flux_tolerance, or options.tolerance if that is looser (a tight rock passes so little that its flux weighs nothing in the residual).
   /// options.reference is set here. Collective.
   SolveReport solve(const Drive& drive, SolveOptions options);
 

@@ -12,22 +12,47 @@
 #include "core/memory.hpp"
 #include "core/progress.hpp"
 #include "flow/gcr.hpp"
+#include "flow/smoother.hpp"
 #include "grid/block.hpp"
 
 namespace porefines::sim {
 namespace {
 
-// Fitted to peak_memory(): empty 64^3 and 128^3, Berea 200^3, a chip of 624 x 450 x 10 cells.
-constexpr Real base_bytes = 75e6;    ///< MPI, libraries, code
-constexpr Real dense_bytes = 93;     ///< per cell, ghosts and padding of the rows counted too
-constexpr Real packed_bytes = 210;   ///< per cell in an active line: Krylov vectors
+constexpr Real base_bytes = 28e6;    ///< MPI, libraries, code
+constexpr Real packed_bytes = 131;   ///< per cell in an active line: Krylov vectors, their places
 constexpr Real voxel_bytes = 1;      ///< per voxel of an image, as long as it is held
 constexpr Real distance_bytes = 28;  ///< per voxel while distances are found, before the solve
+constexpr Real result_bytes = 4;     ///< per cell: share of solid
+constexpr Real float_bytes = 4;
+constexpr Real setup_fields = 18;   ///< of the finest level before the coarse ones are made
+constexpr Real finest_fields = 21;  ///< per cell of the finest level during the solve
+constexpr Real lent_fields = 4;     ///< of these more where several ranks share the solve
+constexpr Real coarse_fields = 19;
 
-/// Cells with the padding of the rows and the ghosts around the box.
-Real padded_cells(const Int3& n) {
-  const Real width = grid::line_width * std::ceil((n[0] + 3.0) / grid::line_width);
-  return width * (n[1] + 3.0) * (n[2] + 3.0);
+/// Cells in memory of all ranks, ghosts and padding too, of one grid.
+Real stored_cells(const par::Decomposition& cut, const std::array<bool, 3>& periodic) {
+  Real cells = 0;
+  for (int rank = 0; rank < product(cut.ranks); ++rank) {
+    cells += static_cast<Real>(grid::make_block(cut, rank, periodic, flow::sweep_depth).size);
+  }
+  return cells;
+}
+
+/// Bytes of the fields of all coarse levels of all ranks. Small levels are whole on every rank.
+Real coarse_bytes(par::Decomposition cut, const std::array<bool, 3>& periodic) {
+  const auto ranks = static_cast<Real>(product(cut.ranks));
+  Real cells = 0;
+  while (product(cut.cells) > 1) {
+    cut = cut.coarsened();
+    if (product(cut.cells) > flow::Hierarchy::replicate_below) {
+      cells += stored_cells(cut, periodic);
+    } else {
+      const par::Decomposition whole{
+          cut.cells, {1, 1, 1}, {{{0, cut.cells[0]}, {0, cut.cells[1]}, {0, cut.cells[2]}}}};
+      cells += ranks * stored_cells(whole, periodic);
+    }
+  }
+  return cells * coarse_fields * float_bytes;
 }
 
 /// Volume of flow through the sample per second, guessed [m/s].
@@ -72,22 +97,27 @@ std::string lengths(const Vec3& size) {
 }  // namespace
 
 Real estimate_memory(const geom::Sample& sample, const Domain& domain, const Probe& probe,
-                     int ranks) {
+                     const par::Decomposition& cut) {
+  const Index ranks = product(cut.ranks);
+  const std::array<bool, 3> periodic = domain.boundaries.periodic();
   const auto cells = static_cast<Real>(product(domain.cells));
   const Real voxels =
       sample.spec.kind == geom::Kind::image ? static_cast<Real>(product(sample.voxels.n)) : 0;
-  const Real solve =
-      dense_bytes * padded_cells(domain.cells) + packed_bytes * cells * probe.active_share;
-  return ranks * base_bytes + voxel_bytes * voxels + std::max(solve, distance_bytes * voxels);
+  const Real stored = stored_cells(cut, periodic);
+  const Real fields = finest_fields + (ranks > 1 ? lent_fields : 0);
+  const Real solve = fields * float_bytes * stored + coarse_bytes(cut, periodic) +
+                     (packed_bytes * probe.active_share + result_bytes) * cells;
+  const Real set_up = setup_fields * float_bytes * stored + distance_bytes * voxels;
+  return static_cast<Real>(ranks) * base_bytes + voxel_bytes * voxels + std::max(solve, set_up);
 }
 
 Plan make_plan(const config::Case& the_case, const geom::Sample& sample, const Domain& domain,
-               const Probe& probe, int ranks) {
+               const Probe& probe, const par::Decomposition& cut) {
   Plan plan;
   plan.cells = product(domain.cells);
   plan.active_cells =
       static_cast<Index>(std::llround(probe.active_share * static_cast<Real>(plan.cells)));
-  plan.memory = estimate_memory(sample, domain, probe, ranks);
+  plan.memory = estimate_memory(sample, domain, probe, cut);
   const flow::SolveOptions solve;
   plan.memory_most = plan.memory + direction_bytes * (solve.most_directions - solve.directions) *
                                        static_cast<Real>(plan.active_cells);

@@ -29,17 +29,18 @@ inline constexpr Real direction_bytes = 2 * 4 * sizeof(float);
 
 /// Peak memory of all ranks together [bytes].
 ///
-///     ranks base + voxel voxels + max(dense cells + packed active cells, distance voxels)
+///     ranks base + voxel voxels + max(set-up + distance voxels, levels + packed active cells)
 ///
-/// `dense` counts the fields of all multigrid levels, `packed` the Krylov vectors, which leave out
-/// lines of solid. Constants are fitted to open boxes of 64^3 and 128^3, Berea of 200^3 and a
-/// chip of 624 x 450 x 10 on one rank; not fitted: the same chip on two ranks, 3 % low. Test: cli/permeability.
+/// `levels` counts the fields of all multigrid levels of every rank, ghosts and padding too; `packed`
+/// the Krylov vectors, which leave out lines of solid. Test: cli/permeability, mpi.
+/// @param cut  the ranks' blocks
 [[nodiscard]] Real estimate_memory(const geom::Sample& sample, const Domain& domain,
-                                   const Probe& probe, int ranks);
+                                   const Probe& probe, const par::Decomposition& cut);
 
 /// The whole plan. Permeability by Kozeny, k = porosity^3 / (5 S^2): a guess, within a factor of 6 so far (Berea: 5.8 times too high).
 [[nodiscard]] Plan make_plan(const config::Case& the_case, const geom::Sample& sample,
-                             const Domain& domain, const Probe& probe, int ranks);
+                             const Domain& domain, const Probe& probe,
+                             const par::Decomposition& cut);
 
 /// Sets the wall time of the flow solve and of a cycle [s]: bytes to move at the rate of this machine, which a short sweep over
 /// memory on all ranks at once finds out. Fitted on a loaded machine: an order of size. Collective, a tenth of a second.

@@ -19,7 +19,9 @@ Prepared prepare(const config::Case& the_case, const par::Communicator& comm) {
   stop_if_asked(comm);
   const Domain domain = make_domain(the_case, sample);
   const Probe probe = probe_grid(sample, domain);
-  Plan plan = make_plan(the_case, sample, domain, probe, comm.size());
+  par::Decomposition cut =
+      par::decompose(domain.cells, comm.size(), probe.work, the_case.grid.decomposition);
+  Plan plan = make_plan(the_case, sample, domain, probe, cut);
   require_memory(the_case, plan, domain, comm);
   estimate_seconds(the_case, plan, comm);
   std::vector<std::string> fines;
@@ -35,9 +37,7 @@ Prepared prepare(const config::Case& the_case, const par::Communicator& comm) {
   stop_if_asked(comm);
   std::vector<std::string> story = describe(the_case, sample, domain, probe, plan);
   story.insert(story.end(), fines.begin(), fines.end());
-  return {std::move(sample), domain, plan,
-          par::decompose(domain.cells, comm.size(), probe.work, the_case.grid.decomposition),
-          std::move(story)};
+  return {std::move(sample), domain, plan, std::move(cut), std::move(story)};
 }
 
 void show_plan(const config::Case& the_case, const RunOptions& options, const Prepared& prepared,

@@ -57,6 +57,10 @@ void write_flow(const config::Case& the_case, const std::string& folder, const P
                 const SteadyFlow& solution, flow::StokesSolver& solver,
                 const std::vector<float>& solid, const io::Provenance& provenance,
                 const par::Communicator& comm) {
+  if (!config::find_output(the_case, config::OutputKind::fields) &&
+      !config::find_output(the_case, config::OutputKind::pictures)) {
+    return;
+  }
   flow::StokesSolver::CellFields fields = solver.cell_fields();
   to_case_units(fields, solution.scale, solution.offset);
   if (config::find_output(the_case, config::OutputKind::fields)) {

@@ -106,10 +106,17 @@ TEST(Plan, memory_grows_with_cells_and_ranks) {
   const Subject s;
   Domain d = make_domain(s.the_case, s.sample);
   const Probe probe = probe_grid(s.sample, d);
-  const Real one = estimate_memory(s.sample, d, probe, 1);
-  EXPECT_GT(estimate_memory(s.sample, d, probe, 2), one);
+  const auto memory = [&](int ranks) {
+    par::LayerWork even;
+    for (int a = 0; a < 3; ++a) {
+      even[a].assign(static_cast<std::size_t>(d.cells[a]), 1);
+    }
+    return estimate_memory(s.sample, d, probe, par::decompose(d.cells, ranks, even));
+  };
+  const Real one = memory(1);
+  EXPECT_GT(memory(2), one);
   d.cells[2] *= 2;
-  EXPECT_NEAR(estimate_memory(s.sample, d, probe, 1) / one, 2, 0.2);
+  EXPECT_NEAR(memory(1) / one, 2, 0.2);
 }
 
 }  // namespace
