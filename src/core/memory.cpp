@@ -9,6 +9,7 @@
 #include <limits>
 
 #include <fmt/format.h>
+#include <malloc.h>
 
 namespace porefines {
 namespace {
@@ -124,6 +125,10 @@ std::string format_bytes(std::int64_t bytes) {
     ++name;
   }
   return fmt::format("{:.{}f} {}", value, value < 100 && name > 0 ? 1 : 0, names[name]);
+}
+
+void give_back_memory() {
+  ::malloc_trim(0);
 }
 
 }  // namespace porefines

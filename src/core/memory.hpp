@@ -27,4 +27,7 @@ namespace porefines {
 /// "12.3 GiB", "640 MiB", for messages.
 [[nodiscard]] std::string format_bytes(std::int64_t bytes);
 
+/// Gives memory that was freed back to the system: with Open MPI the heap keeps it otherwise.
+void give_back_memory();
+
 }  // namespace porefines

@@ -5,6 +5,7 @@
 
 #include "core/atomic_file.hpp"
 #include "core/log.hpp"
+#include "core/memory.hpp"
 #include "sim/grains.hpp"
 #include "sim/particle_plan.hpp"
 #include "sim/pictures.hpp"
@@ -64,6 +65,7 @@ std::vector<float> set_up(flow::StokesSolver& solver, const config::Case& the_ca
   std::vector<float> solid =
       solid_fraction(the_case, prepared.sample, grains, prepared.domain, solver.block());
   stop_if_asked(comm);
+  give_back_memory();
   return solid;
 }
 
