@@ -76,12 +76,18 @@ AxisTransfer make_transfer(const grid::Block& fine, int axis, const std::vector<
   const Widths f(fine_widths, periodic);
   const Widths c(coarse_widths, periodic);
   AxisTransfer t;
-  t.coarsened = f.size() > 1;
-  const int first = fine.start[axis] / 2;
-  const int count = (fine.n[axis] + 1) / 2;
+  t.coarsened = f.size() > c.size();
+  t.ratio = f.size() > 1 && !t.coarsened ? 1 : 2;
+  const int first = fine.start[axis] / t.ratio;
+  const int count = (fine.n[axis] + t.ratio - 1) / t.ratio;
   for (auto* array : {&t.cell_first, &t.cell_second, &t.face_before, &t.face_middle, &t.face_after,
                       &t.odd_low, &t.odd_high}) {
     array->assign(static_cast<std::size_t>(count) + 1, 0.0F);
+  }
+  if (t.ratio == 1) {
+    t.cell_first.assign(static_cast<std::size_t>(count) + 1, 1.0F);
+    t.face_middle.assign(static_cast<std::size_t>(count) + 1, 1.0F);
+    return t;
   }
   const auto has_second = [&](int coarse) {
     const int n = c.size();

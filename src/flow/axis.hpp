@@ -43,13 +43,15 @@ AxisCoefficients make_axis(const grid::Block& block, int axis, const std::vector
 
 /// Weights that carry values between a level and the next coarser one along one axis.
 ///
-/// Coarse cell I covers fine cells 2I and, except perhaps at the end, 2I+1. Indices are local to
+/// Coarse cell I covers fine cells 2I and, except perhaps at the end, 2I+1; on an axis that is kept,
+/// with a ratio of 1, fine cell I alone. Indices are local to
 /// the *fine* block: coarse index I here means fine start / 2 + I.
 ///   cells: coarse value = sum over children of (w_f/w_C) fine; fine value = coarse value.
 ///   faces along their normal: even fine faces coincide with coarse face I; odd ones lie between
 ///   coarse faces I and I+1 with weights 1/2. Restriction is the transpose times d_f/d_C.
 struct AxisTransfer {
-  bool coarsened = false;          ///< false: the axis has one cell on both levels
+  bool coarsened = false;          ///< false: the axis has as many cells on both levels
+  int ratio = 2;                   ///< fine cells per coarse one: 1 on an axis of long cells, kept
   std::vector<float> cell_first;   ///< per coarse cell: weight of child 2I
   std::vector<float> cell_second;  ///< weight of child 2I+1; 0 where there is none
   std::vector<float> face_before;  ///< per coarse face: weight of fine face 2I-1

@@ -16,8 +16,9 @@ class Surroundings {
       : fine_(fine),
         n_(component),
         across_{(component + 1) % 3, (component + 2) % 3},
-        middle_(std::min(2 * coarse_face[component], fine.block.n[component])),
-        first_{2 * coarse_face[across_[0]], 2 * coarse_face[across_[1]]} {
+        middle_(std::min(axis[component].ratio * coarse_face[component], fine.block.n[component])),
+        first_{axis[across_[0]].ratio * coarse_face[across_[0]],
+               axis[across_[1]].ratio * coarse_face[across_[1]]} {
     const AxisTransfer& along = axis[component];
     const int I = coarse_face[component];
     middle_weight_ = along.face_middle[I];

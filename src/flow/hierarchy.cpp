@@ -2,6 +2,7 @@
 #include "flow/hierarchy.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "flow/rigid_spheres.hpp"
@@ -22,10 +23,29 @@ std::array<std::vector<Real>, 3> fine_widths(const Int3& cells, const Vec3& spac
   return w;
 }
 
-std::array<std::vector<Real>, 3> halved(const std::array<std::vector<Real>, 3>& fine) {
-  std::array<std::vector<Real>, 3> coarse;
+/// Which axes to halve: those of short cells, until cells are nearly cubic; then all. Point smoothers
+/// see nothing of errors that vary along long cells only.
+std::array<bool, 3> axes_to_halve(const std::array<std::vector<Real>, 3>& widths) {
+  constexpr Real nearly = 1.5;
+  Real shortest = INFINITY;
+  for (const std::vector<Real>& w : widths) {
+    shortest = w.size() > 1 ? std::min(shortest, w.front()) : shortest;
+  }
+  std::array<bool, 3> halves{};
+  for (int a = 0; a < 3; ++a) {
+    halves[a] = widths[a].size() > 1 && widths[a].front() < nearly * shortest;
+  }
+  return halves;
+}
+
+std::array<std::vector<Real>, 3> halved(const std::array<std::vector<Real>, 3>& fine,
+                                        const std::array<bool, 3>& halves) {
+  std::array<std::vector<Real>, 3> coarse = fine;
   for (int a = 0; a < 3; ++a) {
     const std::size_t n = fine[a].size();
+    if (!halves[a]) {
+      continue;
+    }
     coarse[a].assign((n + 1) / 2, 0);
     for (std::size_t i = 0; i < n; ++i) {
       coarse[a][i / 2] += fine[a][i];
@@ -45,8 +65,7 @@ par::Decomposition whole(const Int3& cells) {
 
 /// May the level below stay spread over the ranks? Its cuts must fall on even cells, and its blocks
 /// must hold their ghosts.
-bool can_stay_distributed(const par::Decomposition& fine) {
-  const par::Decomposition coarse = fine.coarsened();
+bool can_stay_distributed(const par::Decomposition& fine, const par::Decomposition& coarse) {
   if (fine.alignment < 4 || product(coarse.cells) <= Hierarchy::replicate_below) {
     return false;
   }
@@ -136,7 +155,7 @@ void Hierarchy::build() {
   }
   for (Level& level : levels_) {  // carry is what the cycle needs
     for (Floats& field : level.mobility) {
-      field = {};
+      field = Floats();  // "= {}" would keep the memory
     }
   }
 }
@@ -179,11 +198,12 @@ bool Hierarchy::add_coarse_level() {
   if (product(fine.block.global) == 1) {
     return false;
   }
-  const par::Decomposition coarse_cut = fine.decomposition.coarsened();
-  const bool replicated = fine.replicated || !can_stay_distributed(fine.decomposition);
+  const std::array<bool, 3> halves = axes_to_halve(fine.widths);
+  const par::Decomposition coarse_cut = fine.decomposition.coarsened(halves);
+  const bool replicated = fine.replicated || !can_stay_distributed(fine.decomposition, coarse_cut);
   const par::Communicator group = replicated ? par::Communicator::self() : comm_;
   levels_.emplace_back(group, replicated ? whole(coarse_cut.cells) : coarse_cut,
-                       halved(fine.widths), boundaries_, sweep_depth, false);
+                       halved(fine.widths, halves), boundaries_, sweep_depth, false);
   Level& coarse = levels_.back();
   coarse.replicated = replicated;
   transfers_.emplace_back(comm_, fine, coarse, boundaries_);

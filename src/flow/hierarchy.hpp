@@ -15,7 +15,8 @@ class RigidSpheres;
 /// The levels of the multigrid: the finest spread over the ranks, coarse ones homogenised from the
 /// mobility, the coarsest held whole by every rank.
 ///
-/// Every axis is halved (n -> ceil(n/2), the last cell may have one child) until it has one cell.
+/// Axes are halved (n -> ceil(n/2), the last cell may have one child) until they have one cell: first
+/// those of short cells, until cells are nearly cubic, then all.
 /// A level of at most `replicate_below` cells is gathered: all ranks then do the same small work,
 /// with no messages.
 class Hierarchy {

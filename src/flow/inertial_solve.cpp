@@ -132,12 +132,14 @@ void InertialFlow::search(bool stalled, Real size) {
   }
   newest.z.resize(op.size());
   newest.q.resize(op.size());
-  if (stalled) {
-    op.load_right_hand_side(kept_.back().q, 1 / std::sqrt(kept_.back().square));
-  } else {
-    op.load_right_hand_side(r_, 1 / size);
-  }
-  cycle(parts_.hierarchy);
+  const auto load_sides = [&] {
+    if (stalled) {
+      op.load_right_hand_side(kept_.back().q, 1 / std::sqrt(kept_.back().square));
+    } else {
+      op.load_right_hand_side(r_, 1 / size);
+    }
+  };
+  cycle(parts_.hierarchy, load_sides);
   op.store_unknowns(newest.z);
   op.apply(newest.q);
   z_.load(parts_.hierarchy.finest(), op, newest.z, {}, u_);

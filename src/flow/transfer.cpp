@@ -26,11 +26,11 @@ struct Sources {
 Sources restriction_sources(const AxisTransfer& t, int I, bool normal, int fine_cells) {
   Sources s;
   if (!normal) {
-    s.add(2 * I, t.cell_first[I]);
-    s.add(2 * I + 1, t.cell_second[I]);
+    s.add(t.ratio * I, t.cell_first[I]);
+    s.add(t.ratio * I + 1, t.cell_second[I]);
     return s;
   }
-  const int middle = std::min(2 * I, fine_cells);  // an odd last block ends at an odd face
+  const int middle = std::min(t.ratio * I, fine_cells);  // an odd last block ends at an odd face
   s.add(middle - 1, t.face_before[I]);
   s.add(middle, t.face_middle[I]);
   s.add(middle + 1, t.face_after[I]);
@@ -40,8 +40,8 @@ Sources restriction_sources(const AxisTransfer& t, int I, bool normal, int fine_
 /// Coarse indices along an axis that make fine index i.
 Sources prolongation_sources(const AxisTransfer& t, int i, bool normal) {
   Sources s;
-  const int I = i / 2;
-  if (!normal || i % 2 == 0) {
+  const int I = i / t.ratio;
+  if (!normal || i % t.ratio == 0) {
     s.add(I, 1.0F);
   } else {
     s.add(I, t.odd_low[I]);
@@ -50,8 +50,10 @@ Sources prolongation_sources(const AxisTransfer& t, int i, bool normal) {
   return s;
 }
 
-int coarse_count(const grid::Block& fine, int axis, bool faces) {
-  return (fine.n[axis] + 1) / 2 + (faces && fine.owns_end[axis] ? 1 : 0);
+int coarse_count(const grid::Block& fine, const std::array<AxisTransfer, 3>& transfer, int axis,
+                 bool faces) {
+  const int ratio = transfer[axis].ratio;
+  return (fine.n[axis] + ratio - 1) / ratio + (faces && fine.owns_end[axis] ? 1 : 0);
 }
 
 int fine_count(const grid::Block& fine, int axis, bool faces) {
@@ -82,12 +84,13 @@ Transfer::Transfer(const par::Communicator& comm, const Level& fine, const Level
     : comm_(comm.handle()), rank_(comm.rank()) {
   for (int a = 0; a < 3; ++a) {
     axis_[a] = make_transfer(fine.block, a, fine.widths[a], coarse.widths[a], boundaries);
-    offset_[a] = fine.block.start[a] / 2 - coarse.block.start[a];
+    offset_[a] = fine.block.start[a] / axis_[a].ratio - coarse.block.start[a];
   }
   if (!coarse.replicated || fine.replicated || comm.size() == 1) {
     return;
   }
-  const par::Decomposition cut = fine.decomposition.coarsened();
+  const par::Decomposition cut =
+      fine.decomposition.coarsened({axis_[0].coarsened, axis_[1].coarsened, axis_[2].coarsened});
   for (int r = 0; r < comm.size(); ++r) {
     Part part{cut.start(r), cut.start(r)};
     for (int a = 0; a < 3; ++a) {
@@ -103,22 +106,22 @@ void Transfer::restrict_faces(int component, const float* fine_field, const Leve
   const grid::Block& f = fine.block;
   std::vector<float> buffer(static_cast<std::size_t>(f.n[0]) + 4, 0.0F);
   float* row = buffer.data() + 1;
-  const int count = coarse_count(f, 0, component == 0);
-  for (int K = 0; K < coarse_count(f, 2, component == 2); ++K) {
+  const int count = coarse_count(f, axis_, 0, component == 0);
+  for (int K = 0; K < coarse_count(f, axis_, 2, component == 2); ++K) {
     const Sources planes = restriction_sources(axis_[2], K, component == 2, f.n[2]);
-    for (int J = 0; J < coarse_count(f, 1, component == 1); ++J) {
+    for (int J = 0; J < coarse_count(f, axis_, 1, component == 1); ++J) {
       const Sources rows = restriction_sources(axis_[1], J, component == 1, f.n[1]);
       combine(f, fine_field, rows, planes, {0, 0, 0}, -1, f.n[0] + 2, row);
       float* to = out.data() + coarse.block.at(offset_[0], J + offset_[1], K + offset_[2]);
       const AxisTransfer& t = axis_[0];
       if (component != 0) {
         for (int I = 0; I < count; ++I) {
-          to[I] = t.cell_first[I] * row[2 * I] + t.cell_second[I] * row[2 * I + 1];
+          to[I] = t.cell_first[I] * row[t.ratio * I] + t.cell_second[I] * row[t.ratio * I + 1];
         }
         continue;
       }
       for (int I = 0; I < count; ++I) {
-        const int middle = std::min(2 * I, f.n[0]);
+        const int middle = std::min(t.ratio * I, f.n[0]);
         to[I] = t.face_before[I] * row[middle - 1] + t.face_middle[I] * row[middle] +
                 t.face_after[I] * row[middle + 1];
       }
@@ -128,15 +131,16 @@ void Transfer::restrict_faces(int component, const float* fine_field, const Leve
 
 void Transfer::restrict_cells(Level& fine, Level& coarse) const {
   const grid::Block& f = fine.block;
+  const AxisTransfer& t = axis_[0];
   std::vector<float> row(static_cast<std::size_t>(f.n[0]) + 2, 0.0F);
-  for (int K = 0; K < coarse_count(f, 2, false); ++K) {
+  for (int K = 0; K < coarse_count(f, axis_, 2, false); ++K) {
     const Sources planes = restriction_sources(axis_[2], K, false, f.n[2]);
-    for (int J = 0; J < coarse_count(f, 1, false); ++J) {
+    for (int J = 0; J < coarse_count(f, axis_, 1, false); ++J) {
       const Sources rows = restriction_sources(axis_[1], J, false, f.n[1]);
       combine(f, fine.residual_of(3), rows, planes, {0, 0, 0}, 0, f.n[0], row.data());
       float* to = coarse.g.data() + coarse.block.at(offset_[0], J + offset_[1], K + offset_[2]);
-      for (int I = 0; I < coarse_count(f, 0, false); ++I) {
-        to[I] = axis_[0].cell_first[I] * row[2 * I] + axis_[0].cell_second[I] * row[2 * I + 1];
+      for (int I = 0; I < coarse_count(f, axis_, 0, false); ++I) {
+        to[I] = t.cell_first[I] * row[t.ratio * I] + t.cell_second[I] * row[t.ratio * I + 1];
       }
     }
   }
@@ -145,9 +149,9 @@ void Transfer::restrict_cells(Level& fine, Level& coarse) const {
 void Transfer::restrict_mobility(const Level& fine, Level& coarse) const {
   const grid::Block& f = fine.block;
   for (int a = 0; a < 3; ++a) {
-    for (int K = 0; K < coarse_count(f, 2, a == 2); ++K) {
-      for (int J = 0; J < coarse_count(f, 1, a == 1); ++J) {
-        for (int I = 0; I < coarse_count(f, 0, a == 0); ++I) {
+    for (int K = 0; K < coarse_count(f, axis_, 2, a == 2); ++K) {
+      for (int J = 0; J < coarse_count(f, axis_, 1, a == 1); ++J) {
+        for (int I = 0; I < coarse_count(f, axis_, 0, a == 0); ++I) {
           coarse.mobility[a][coarse.block.at(I + offset_[0], J + offset_[1], K + offset_[2])] =
               coarse_mobility(fine, axis_, a, {I, J, K});
         }
@@ -162,11 +166,12 @@ Real Transfer::mean_across(int component, const Level& fine, const Int3& face) c
   const int b = (component + 2) % 3;
   const std::ptrdiff_t next_a = fine.block.stride(a);
   const std::ptrdiff_t next_b = fine.block.stride(b);
-  const std::ptrdiff_t at =
-      fine.block.at(face[0], face[1], face[2]) - next_a * (face[a] % 2) - next_b * (face[b] % 2);
+  const std::ptrdiff_t at = fine.block.at(face[0], face[1], face[2]) -
+                            next_a * (face[a] % axis_[a].ratio) -
+                            next_b * (face[b] % axis_[b].ratio);
   const auto share = [&](int t, int child) {
     const AxisTransfer& axis = axis_[t];
-    return (child == 0 ? axis.cell_first : axis.cell_second)[face[t] / 2];
+    return (child == 0 ? axis.cell_first : axis.cell_second)[face[t] / axis.ratio];
   };
   Real sum = 0;
   for (int q = 0; q < 2; ++q) {
@@ -218,7 +223,8 @@ void Transfer::prolong(Level& coarse, Level& fine) const {
 void Transfer::prolong_faces(int component, const Level& coarse, Level& fine) const {
   const grid::Block& f = fine.block;
   const int columns = fine_count(f, 0, component == 0);
-  const int coarse_columns = (f.n[0] + 1) / 2 + 1;
+  const AxisTransfer& t = axis_[0];
+  const int coarse_columns = coarse_count(f, axis_, 0, false) + 1;
   std::vector<float> coarse_row(static_cast<std::size_t>(coarse_columns) + 1, 0.0F);
   std::vector<float> buffer(static_cast<std::size_t>(f.sy) + 2 * grid::line_width, 0.0F);
   float* row = buffer.data() + f.ghost[0];
@@ -228,13 +234,14 @@ void Transfer::prolong_faces(int component, const Level& coarse, Level& fine) co
       const Sources rows = prolongation_sources(axis_[1], j, component == 1);
       combine(coarse.block, coarse.u[component].data(), rows, planes, offset_, 0, coarse_columns,
               coarse_row.data());
-      if (component == 0) {
+      if (t.ratio == 1) {
+        std::copy_n(coarse_row.data(), columns, row);
+      } else if (component == 0) {
         for (int i = 0; i < columns; i += 2) {
           row[i] = coarse_row[i / 2];
         }
         for (int i = 1; i < columns; i += 2) {
-          row[i] = axis_[0].odd_low[i / 2] * coarse_row[i / 2] +
-                   axis_[0].odd_high[i / 2] * coarse_row[i / 2 + 1];
+          row[i] = t.odd_low[i / 2] * coarse_row[i / 2] + t.odd_high[i / 2] * coarse_row[i / 2 + 1];
         }
       } else {
         for (int i = 0; i < columns; ++i) {
@@ -260,9 +267,14 @@ void Transfer::prolong_cells(const Level& coarse, Level& fine) const {
   for (int k = 0; k < f.n[2]; ++k) {
     for (int j = 0; j < f.n[1]; ++j) {
       const float* from =
-          coarse.p.data() + coarse.block.at(offset_[0], j / 2 + offset_[1], k / 2 + offset_[2]);
-      for (int i = 0; i < f.n[0]; ++i) {
-        row[i] = from[i / 2];
+          coarse.p.data() + coarse.block.at(offset_[0], j / axis_[1].ratio + offset_[1],
+                                            k / axis_[2].ratio + offset_[2]);
+      if (axis_[0].ratio == 1) {
+        std::copy_n(from, f.n[0], row);
+      } else {
+        for (int i = 0; i < f.n[0]; ++i) {
+          row[i] = from[i / 2];
+        }
       }
       for_lines(fine, j, k, [&](int i) {
         float* p = fine.p.data() + f.at(i, j, k);

@@ -32,10 +32,13 @@ Int3 Decomposition::extent(int rank) const {
   return n;
 }
 
-Decomposition Decomposition::coarsened() const {
+Decomposition Decomposition::coarsened(const std::array<bool, 3>& halved) const {
   Decomposition coarse = *this;
   coarse.alignment = alignment / 2;
   for (int a = 0; a < 3; ++a) {
+    if (!halved[a]) {
+      continue;
+    }
     coarse.cells[a] = (cells[a] + 1) / 2;
     for (int& cut : coarse.cuts[a]) {
       cut = (cut + 1) / 2;

@@ -25,8 +25,10 @@ struct Decomposition {
   [[nodiscard]] Int3 start(int rank) const;
   [[nodiscard]] Int3 extent(int rank) const;
 
-  /// The same cuts on the grid that is coarser by 2 along every axis that has more than one cell.
-  [[nodiscard]] Decomposition coarsened() const;
+  /// The same cuts on the grid that is coarser by 2 along these axes, where they have more than one
+  /// cell.
+  [[nodiscard]] Decomposition coarsened(const std::array<bool, 3>& halved = {true, true,
+                                                                             true}) const;
 };
 
 /// Number of fluid cells in every layer normal to an axis: what the cuts balance.

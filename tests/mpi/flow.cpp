@@ -14,9 +14,11 @@ struct Answer {
 };
 
 Answer answer(const par::Communicator& comm, const Int3& cells, const Boundaries& boundaries,
-              const std::function<Real(const Vec3&)>& distance, const flow::Drive& drive) {
+              const std::function<Real(const Vec3&)>& distance, const flow::Drive& drive,
+              const Int3& per_length) {
   flow::StokesSolver solver(comm, even_cut(cells, comm.size()),
-                            {1.0 / cells[0], 1.0 / cells[0], 1.0 / cells[0]}, boundaries, 1.0);
+                            {1.0 / per_length[0], 1.0 / per_length[1], 1.0 / per_length[2]},
+                            boundaries, 1.0);
   solver.set_surface(distance);
   const auto report = solver.solve(drive, {});
   EXPECT_TRUE(report.converged);
@@ -24,11 +26,19 @@ Answer answer(const par::Communicator& comm, const Int3& cells, const Boundaries
 }
 
 void expect_same(const Int3& cells, const Boundaries& boundaries,
-                 const std::function<Real(const Vec3&)>& distance, const flow::Drive& drive) {
-  const Answer alone = answer(par::Communicator::self(), cells, boundaries, distance, drive);
-  const Answer together = answer(par::Communicator(), cells, boundaries, distance, drive);
+                 const std::function<Real(const Vec3&)>& distance, const flow::Drive& drive,
+                 const Int3& per_length) {
+  const Answer alone =
+      answer(par::Communicator::self(), cells, boundaries, distance, drive, per_length);
+  const Answer together =
+      answer(par::Communicator(), cells, boundaries, distance, drive, per_length);
   EXPECT_NEAR(together.velocity.x / alone.velocity.x, 1, 1e-6);
   EXPECT_NEAR(together.cycles, alone.cycles, 1);
+}
+
+void expect_same(const Int3& cells, const Boundaries& boundaries,
+                 const std::function<Real(const Vec3&)>& distance, const flow::Drive& drive) {
+  expect_same(cells, boundaries, distance, drive, {cells[0], cells[0], cells[0]});
 }
 
 }  // namespace
@@ -37,6 +47,11 @@ TEST(Ranks, periodic_spheres) {
   // Too large for one gathered level, so that blocks are coarsened while spread over the ranks.
   const auto spheres = sphere_lattice(face_centred, sphere_radius(0.3, 4), {0.013, 0.007, 0.021});
   expect_same({48, 48, 48}, {}, spheres, along_x());
+}
+
+TEST(Ranks, flat_cells) {
+  const auto spheres = sphere_lattice(face_centred, sphere_radius(0.3, 4), {0.013, 0.007, 0.021});
+  expect_same({80, 80, 32}, {}, spheres, along_x(), {80, 80, 32});
 }
 
 TEST(Ranks, odd_box_between_pressures) {
@@ -78,8 +93,8 @@ TEST(Ranks, openings_on_every_cut_axis) {
 TEST(Ranks, same_number_same_bits) {
   const auto spheres = sphere_lattice(simple_cubic, 0.4);
   const par::Communicator comm;
-  const Answer first = answer(comm, {40, 40, 40}, {}, spheres, along_x());
-  const Answer second = answer(comm, {40, 40, 40}, {}, spheres, along_x());
+  const Answer first = answer(comm, {40, 40, 40}, {}, spheres, along_x(), {40, 40, 40});
+  const Answer second = answer(comm, {40, 40, 40}, {}, spheres, along_x(), {40, 40, 40});
   EXPECT_EQ(first.velocity, second.velocity);
 }
 
