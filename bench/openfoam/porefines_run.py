@@ -41,7 +41,8 @@ reservoir = "0 um"
     return case
 
 
-def run(program: str, folder: pathlib.Path, case: str) -> tuple[measured.Cost, dict]:
+def run(program: str, folder: pathlib.Path, case: str, *overrides: str) -> tuple[measured.Cost, dict]:
     out = folder / f"out_{case}"
-    cost = measured.run([program, "run", folder / f"{case}.toml", "-o", out], folder / f"{case}.log")
+    cost = measured.run([program, "run", folder / f"{case}.toml", *overrides, "-o", out],
+                        folder / f"{case}.log")
     return cost, json.loads((out / "summary.json").read_text())
