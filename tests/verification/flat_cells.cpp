@@ -35,7 +35,7 @@ TEST_P(FlatCells, converge_like_cubes) {
   const Array array = simple_cubic_array(GetParam());
   EXPECT_TRUE(array.converged);
   EXPECT_LE(array.cycles, 14);               // 7 to 13 seen; cubes take 6
-  constexpr Real exact = 7.441953;             // references.md A1
+  constexpr Real exact = 7.441953;           // references.md A1
   EXPECT_NEAR(array.drag / exact, 1, 0.06);  // spheres are 9 to 12 cells across on the long side
 }
 
