@@ -89,7 +89,7 @@ struct Opening {
   friend bool operator==(const Opening&, const Opening&) = default;
 };
 
-enum class Regime { stokes, none };
+enum class Regime { stokes, none, navier_stokes };
 
 /// [flow]
 struct Flow {
@@ -106,6 +106,35 @@ struct Flow {
   int max_cycles = 200;
   Real max_pressure = 0;  ///< [Pa] drop at which a pump with a given rate gives up; 0: no limit
   friend bool operator==(const Flow&, const Flow&) = default;
+};
+
+enum class AdvectionScheme { automatic, linear, lust };
+enum class TimeScheme { euler, bdf2, midpoint };
+
+/// A no-slip face of the box that moves in its own plane.
+struct Lid {
+  BoxFace face = BoxFace::y_high;
+  Triple velocity{};  ///< [m/s]
+  friend bool operator==(const Lid&, const Lid&) = default;
+};
+
+/// What [flow] says with regime = "navier-stokes".
+struct Inertia {
+  bool steady = false;
+  AdvectionScheme scheme = AdvectionScheme::automatic;
+  TimeScheme time_scheme = TimeScheme::bdf2;
+  Real courant = 0.9;
+  Real time_step = 0;    ///< [s] largest; 0: the Courant number decides
+  Real disturbance = 0;  ///< of the expected speed, sideways at the start
+  std::optional<Lid> lid;
+  friend bool operator==(const Inertia&, const Inertia&) = default;
+};
+
+/// [[probe]]: a place whose velocity and pressure go into series.csv.
+struct ProbePoint {
+  std::string name;
+  Triple position{};  ///< [m]
+  friend bool operator==(const ProbePoint&, const ProbePoint&) = default;
 };
 
 enum class CouplingMethod { implicit };
@@ -144,6 +173,8 @@ struct Case {
   Grid grid;
   Fluid fluid;
   Flow flow;
+  Inertia inertia;
+  std::vector<ProbePoint> probe;
   Coupling coupling;
   Clogging clogging;
   Analysis analysis;
@@ -161,6 +192,11 @@ struct Case {
 /// Particles in a flow.
 [[nodiscard]] inline bool is_coupled(const Case& subject) {
   return subject.flow.regime != Regime::none && !subject.particles.empty();
+}
+
+/// A fluid with inertia.
+[[nodiscard]] inline bool is_inertial(const Case& subject) {
+  return subject.flow.regime == Regime::navier_stokes;
 }
 
 /// Particles without a fluid.

@@ -26,6 +26,9 @@ void check_dry(const Case& subject, const Node& given);
 /// Particles in a flow: what is needed and what has no meaning.
 void check_coupled(const Case& subject, const Node& given);
 
+/// A flow with inertia: what is needed and what has no meaning; or keys of one in another regime.
+void check_inertial(const Case& subject, const Node& given);
+
 /// A steady flow: what only particles would need.
 void check_steady(const Case& subject, const Node& given);
 

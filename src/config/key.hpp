@@ -45,6 +45,8 @@ struct Key {
 [[nodiscard]] std::vector<Key> grid_keys();
 [[nodiscard]] std::vector<Key> flow_keys();
 [[nodiscard]] std::vector<Key> clogging_keys();
+[[nodiscard]] std::vector<Key> inertia_keys();
+[[nodiscard]] Key probe_key();
 [[nodiscard]] std::vector<Key> later_keys();
 
 /// Whether the key has a meaning for the geometry of this case.

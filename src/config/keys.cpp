@@ -84,7 +84,6 @@ Key later_key(std::string path, std::string doc) {
 /// What later versions add. Named so that a user learns more than "unknown key".
 std::vector<Key> later_keys() {
   return {
-      later_key("flow.courant", "creeping flow has no Courant limit; see coupling.travel"),
       later_key("flow.velocity_tolerance", "one tolerance covers the solve: pressure_tolerance"),
       later_key("colloid", "particles have contact forces and gravity, no surface forces yet"),
       later_key("compare", "compare summary.json with your data by hand"),

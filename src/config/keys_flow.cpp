@@ -11,6 +11,8 @@ constexpr Range pressures{-1e10, 1e10};
 constexpr Range flow_rates{0, 1e3};
 constexpr Range velocities{0, 1e3};
 
+const std::vector<std::string> regime_names{"stokes", "none", "navier-stokes"};
+
 Key faces_key(std::string path, Faces Flow::*member, std::string doc) {
   return {std::move(path), "list of faces, e.g. `[\"z-\", \"z+\"]`", std::move(doc),
           [=](Case& c, const Node& node) {
@@ -32,19 +34,16 @@ void read_sides(Case& c, const Node& node) {
 }
 
 void read_regime(Case& c, const Node& node) {
-  const std::size_t regime = read_choice(node, {"stokes", "none", "navier-stokes"});
-  if (regime == 2) {
-    fail(node.place, "\"navier-stokes\" is not available in this version",
-         "use \"stokes\" where Re < 1; the run reports Re");
-  }
-  c.flow.regime = static_cast<Regime>(regime);
+  c.flow.regime = static_cast<Regime>(read_choice(node, regime_names));
 }
 
-void read_steady(Case&, const Node& node) {
-  if (!read_flag(node)) {
-    fail(node.place, "false is not available in this version",
-         "this version finds the steady flow: delete the key");
+void read_steady(Case& c, const Node& node) {
+  c.inertia.steady = read_flag(node);
+  if (!is_inertial(c) && !c.inertia.steady) {
+    fail(node.place, "false has no meaning for a creeping flow, which has no memory",
+         "delete the key, or take regime = \"navier-stokes\"");
   }
+  c.inertia.steady = c.inertia.steady && is_inertial(c);
 }
 
 /// One quantity acts along the first periodic axis, three along x, y, z. Read after `periodic`.
@@ -122,13 +121,18 @@ std::vector<Key> opening_keys(const std::string& name, std::optional<Opening> Fl
 std::vector<Key> flow_keys() {
   constexpr Range tolerances{1e-14, 0.1};
   std::vector<Key> keys{
-      {"flow.regime", "`\"stokes\"`, `\"none\"`",
-       "creeping flow, valid for Re < 1; or no fluid at all, which is also what a case with "
-       "particles and without `[flow]` means",
+      {"flow.regime", "`\"stokes\"`, `\"none\"`, `\"navier-stokes\"`",
+       "creeping flow, valid for Re < 1; no fluid at all, which is also what a case with "
+       "particles and without `[flow]` means; or a flow with inertia, from rest on",
        read_regime,
-       [](const Case& c) { return c.flow.regime == Regime::none ? "\"none\"" : "\"stokes\""; }},
-      {"flow.steady", "`true`", "one steady solve", read_steady,
-       [](const Case&) { return "true"; }},
+       [](const Case& c) {
+         return toml_string(regime_names[static_cast<std::size_t>(c.flow.regime)]);
+       }},
+      {"flow.steady", "true or false",
+       "creeping flow always is; `navier-stokes`: find the steady flow without its history; "
+       "`run.end_time` is not used then",
+       read_steady,
+       [](const Case& c) { return !is_inertial(c) || c.inertia.steady ? "true" : "false"; }},
       {"flow.periodic", "list of axes, e.g. `[\"x\", \"y\"]`", "axes along which the box repeats",
        [](Case& c, const Node& node) { c.flow.periodic = read_axes(node); },
        [](const Case& c) { return write_axes(c.flow.periodic); }},
@@ -162,6 +166,9 @@ std::vector<Key> flow_keys() {
   keys.push_back(quantity_key("flow.max_pressure", &Case::flow, &Flow::max_pressure, kind::pressure,
                               above_zero, "no limit",
                               "drop at which a run with a given flow rate ends: the pump's limit"));
+  for (const Key& key : inertia_keys()) {
+    keys.push_back(key);
+  }
   keys.push_back(choice_key("coupling.method", &Case::coupling, &Coupling::method, {"implicit"},
                             "fluid and rigid particles in one solve"));
   keys.push_back(quantity_key("coupling.tolerance", &Case::coupling, &Coupling::tolerance,

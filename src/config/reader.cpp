@@ -109,6 +109,9 @@ Case read_tree(const Node& root, const std::string& path) {
   if (find(root, "flow") == nullptr && !subject.particles.empty()) {
     subject.flow.regime = Regime::none;
   }
+  if (is_inertial(subject) && !subject.inertia.steady && find(root, "output") == nullptr) {
+    subject.output.push_back({OutputKind::summary});
+  }
   if (is_dry(subject) && find(root, "output") == nullptr) {
     subject.output = {{OutputKind::pictures}, {OutputKind::tracks}, {OutputKind::summary}};
   }

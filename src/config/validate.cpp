@@ -105,7 +105,13 @@ void validate(const Case& subject, const Node& given) {
   }
   check_cells(subject.grid, subject.geometry, given);
   check_faces(subject.flow, given);
-  check_drive(subject.flow, given);
+  check_inertial(subject, given);
+  if (!subject.inertia.lid) {
+    check_drive(subject.flow, given);
+  }
+  if (is_inertial(subject)) {
+    return;
+  }
   if (is_coupled(subject)) {
     check_coupled(subject, given);
   } else {

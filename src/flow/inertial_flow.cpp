@@ -214,14 +214,41 @@ Real InertialFlow::kinetic_energy() const {
   return parts_.comm.sum(sum) * unit * unit * density_ / 2 * h.x * h.y * h.z;
 }
 
+/// Calls visit(place in a packed vector, place among the cells' columns) for every unknown.
+template <typename Visit>
+void InertialFlow::for_columns(const Visit& visit) const {
+  const Int3& n = parts_.hierarchy.finest().block.n;
+  parts_.equations.for_each([&](int c, int i, int j, int k, std::size_t at) {
+    Int3 cell{i, j, k};
+    int column = c < 3 ? c : 6;
+    if (c < 3 && cell[c] == n[c]) {
+      --cell[c];
+      column = 3 + c;
+    }
+    const Index place = cell[0] + Index{n[0]} * (cell[1] + Index{n[1]} * cell[2]);
+    visit(at, static_cast<std::size_t>(place * columns + column));
+  });
+}
+
+std::vector<Real> InertialFlow::of_cells(const Packed<double>& x) const {
+  const grid::Block& b = parts_.hierarchy.finest().block;
+  std::vector<Real> cells(static_cast<std::size_t>(b.cells() * columns), 0);
+  for_columns([&](std::size_t at, std::size_t place) { cells[place] = x[at]; });
+  return cells;
+}
+
+void InertialFlow::from_cells(const std::vector<Real>& cells, Packed<double>& x) const {
+  std::fill(x.begin(), x.end(), 0.0);
+  for_columns([&](std::size_t at, std::size_t place) { x[at] = cells.at(place); });
+}
+
 InertialFlow::Memory InertialFlow::remember() const {
-  const auto copy = [](const Packed<double>& v) { return std::vector<Real>(v.begin(), v.end()); };
-  return {copy(parts_.unknowns), copy(old_), time_, last_step_, built_, states_};
+  return {of_cells(parts_.unknowns), of_cells(old_), time_, last_step_, built_, states_};
 }
 
 void InertialFlow::recall(const Memory& memory) {
-  parts_.unknowns.assign(memory.now.begin(), memory.now.end());
-  old_.assign(memory.old.begin(), memory.old.end());
+  from_cells(memory.now, parts_.unknowns);
+  from_cells(memory.old, old_);
   time_ = memory.time;
   last_step_ = memory.step;
   states_ = memory.states;

@@ -78,7 +78,9 @@ class InertialFlow {
   /// [J] rho/2 sum W u^2 over all faces, times the volume of a cell. Collective.
   [[nodiscard]] Real kinetic_energy() const;
 
-  /// What a run goes on from, bit for bit.
+  /// What a run goes on from, bit for bit on as many ranks: of this rank's cells, x fastest, the velocity
+  /// on their low faces, that on their high ones where they end the box, and the pressure.
+  static constexpr int columns = 7;
   struct Memory {
     std::vector<Real> now, old;
     Real time = 0;
@@ -87,6 +89,7 @@ class InertialFlow {
     int states = 0;  ///< known
   };
   [[nodiscard]] Memory remember() const;
+  /// Collective.
   void recall(const Memory& memory);
 
   [[nodiscard]] const FaceVelocity& velocity() const { return u_; }
@@ -120,6 +123,10 @@ class InertialFlow {
   [[nodiscard]] Real velocity_unit() const;
   [[nodiscard]] Real velocity_norm() const;
   [[nodiscard]] Real change() const;
+  [[nodiscard]] std::vector<Real> of_cells(const Packed<double>& x) const;
+  void from_cells(const std::vector<Real>& cells, Packed<double>& x) const;
+  template <typename Visit>
+  void for_columns(const Visit& visit) const;
 
   StokesSolver& solver_;
   StokesSolver::Parts parts_;

@@ -91,6 +91,20 @@ flow::FaceKind kind_of(const config::Flow& flow, BoxFace face) {
   return flow.slip[at] ? flow::FaceKind::slip : flow::FaceKind::wall;
 }
 
+/// What inertia changes: fluid leaves with its vortices, and a wall may move.
+flow::FaceKind kind_of(const config::Case& the_case, BoxFace face) {
+  const flow::FaceKind kind = kind_of(the_case.flow, face);
+  if (!config::is_inertial(the_case)) {
+    return kind;
+  }
+  const auto& lid = the_case.inertia.lid;
+  if (lid && lid->face == face) {
+    return flow::FaceKind::lid;
+  }
+  const bool leaves = the_case.flow.outlet && flow_to(the_case.flow) == face;
+  return leaves && kind == flow::FaceKind::pressure ? flow::FaceKind::outflow : kind;
+}
+
 /// The staircase is the grid: cells must be voxels.
 void require_voxel_cells(const config::Geometry& geometry, const geom::Sample& sample,
                          const Domain& domain) {
@@ -226,7 +240,7 @@ Domain make_domain(const config::Case& the_case, const geom::Sample& sample) {
   domain.reservoir = reservoir_cells(the_case, domain.length(), domain.spacing[domain.axis]);
   domain.cells[domain.axis] += 2 * domain.reservoir;
   for (int face = 0; face < 6; ++face) {
-    domain.boundaries.kind[face] = kind_of(the_case.flow, static_cast<BoxFace>(face));
+    domain.boundaries.kind[face] = kind_of(the_case, static_cast<BoxFace>(face));
   }
   require_voxel_cells(the_case.geometry, sample, domain);
   return domain;

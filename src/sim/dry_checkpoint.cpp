@@ -129,14 +129,18 @@ void go_on(DryRun& run, const std::string& folder) {
   get_run(io::CheckpointReader(folder, run.comm.rank(), run.comm.size()), run);
 }
 
-void get_run(const io::CheckpointReader& reader, DryRun& run) {
+void require_same_case(const io::CheckpointReader& reader, const config::Case& the_case) {
   const std::string difference =
-      difference_of_cases(reader.text("case"), config::effective_case(run.the_case));
+      difference_of_cases(reader.text("case"), config::effective_case(the_case));
   if (!difference.empty()) {
     throw InputError(
         fmt::format("{} is of another case: change it back, or start without --restart\n{}",
                     reader.path(), difference));
   }
+}
+
+void get_run(const io::CheckpointReader& reader, DryRun& run) {
+  require_same_case(reader, run.the_case);
   get_state(reader, run.state);
   run.system.restore(get_snapshot(reader, run.system.settings().walls), reader.same_ranks());
 }

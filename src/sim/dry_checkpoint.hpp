@@ -29,4 +29,7 @@ void go_on(DryRun& run, const std::string& folder);
 /// Test: unit/same_case.
 [[nodiscard]] std::string difference_of_cases(const std::string& before, const std::string& now);
 
+/// @throws InputError  the checkpoint is of another case
+void require_same_case(const io::CheckpointReader& reader, const config::Case& the_case);
+
 }  // namespace porefines::sim

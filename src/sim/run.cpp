@@ -14,6 +14,7 @@
 #include "core/signals.hpp"
 #include "sim/coupled_run.hpp"
 #include "sim/dry_run.hpp"
+#include "sim/inertial_run.hpp"
 #include "sim/pictures.hpp"
 #include "sim/prepare.hpp"
 #include "sim/results.hpp"
@@ -123,6 +124,9 @@ int run(const config::Case& the_case, const RunOptions& options) {
   }
   std::optional<Log> log;
   try {
+    if (config::is_inertial(the_case)) {
+      return run_inertial_case(the_case, options, comm, log);
+    }
     if (config::is_coupled(the_case)) {
       return run_coupled_case(the_case, options, comm, log);
     }

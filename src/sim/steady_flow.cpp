@@ -122,7 +122,7 @@ std::array<Real, 2> face_pressures(const Domain& domain, const flow::Drive& driv
                                    const std::vector<Real>& layers) {
   std::array<Real, 2> p{};
   for (const bool high : {false, true}) {
-    const bool given = domain.boundaries.at(domain.axis, high) == flow::FaceKind::pressure;
+    const bool given = flow::gives_pressure(domain.boundaries.at(domain.axis, high));
     p[high ? 1 : 0] = given ? drive.face_value[2 * domain.axis + (high ? 1 : 0)]
                             : analysis::face_pressure(layers, high);
   }

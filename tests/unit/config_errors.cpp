@@ -156,11 +156,15 @@ TEST(ConfigErrors, what_later_versions_bring_is_named) {
             "x.toml:11: [coupling]: is for particles, and there are none");
   EXPECT_TRUE(message_of(box_case + "[[compare]]\n").starts_with("x.toml:11: [[compare]]: not av"));
   EXPECT_EQ(message_of(box_case + "regime = \"navier-stokes\"\n"),
-            "x.toml:11: [flow] regime: \"navier-stokes\" is not available in this version\n"
-            "use \"stokes\" where Re < 1; the run reports Re");
-  EXPECT_EQ(message_of(box_case + "steady = false\n"),
-            "x.toml:11: [flow] steady: false is not available in this version\n"
-            "this version finds the steady flow: delete the key");
+            "x.toml: [run] end_time: is missing\n"
+            "end_time = \"1 s\", or steady = true for the steady flow alone");
+  EXPECT_EQ(
+      message_of(box_case + "steady = false\n"),
+      "x.toml:11: [flow] steady: false has no meaning for a creeping flow, which has no memory\n"
+      "delete the key, or take regime = \"navier-stokes\"");
+  EXPECT_EQ(message_of(box_case + "courant = 0.5\n"),
+            "x.toml:11: [flow] courant: needs a flow with inertia\n"
+            "regime = \"navier-stokes\"");
   EXPECT_EQ(message_of(box_case + "[[output]]\nkind = \"tracks\"\n"),
             "x.toml:12: [[output]] kind: has no meaning for a steady flow\n"
             "there are no moving particles to track");

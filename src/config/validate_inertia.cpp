@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MPL-2.0
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "config/checks.hpp"
+#include "config/item_key.hpp"
+
+namespace porefines::config {
+namespace {
+
+/// Keys that only a flow with inertia knows.
+void check_other_regime(const Node& given) {
+  for (const std::string path : {"flow.scheme", "flow.time_scheme", "flow.courant",
+                                 "flow.time_step", "flow.disturbance", "flow.lid", "probe"}) {
+    if (const Node* node = find(given, path)) {
+      fail(node->place, "needs a flow with inertia", "regime = \"navier-stokes\"");
+    }
+  }
+}
+
+void check_lid(const Lid& lid, const Flow& flow, const Node& given) {
+  const auto at = static_cast<std::size_t>(lid.face);
+  const auto axis = static_cast<std::size_t>(axis_of(lid.face));
+  const auto opens = [&](const std::optional<Opening>& q) { return q && q->face == lid.face; };
+  if (flow.periodic[axis] || flow.slip[at] || opens(flow.inlet) || opens(flow.outlet)) {
+    fail(place_of(given, "flow.lid.face"),
+         fmt::format("face {} is something else already", face_names()[at]),
+         "a lid is a no-slip wall that moves");
+  }
+  if (lid.velocity[axis] != 0) {
+    fail(place_of(given, "flow.lid.velocity"), "has a component through the wall",
+         "a lid moves in its own plane");
+  }
+  if (lid.velocity == Triple{}) {
+    fail(place_of(given, "flow.lid"), "needs a velocity",
+         "lid = { face = \"y+\", velocity = [\"1 m/s\", \"0 m/s\", \"0 m/s\"] }");
+  }
+}
+
+void check_outputs(const Case& subject, const Node& given) {
+  for (std::size_t i = 0; i < subject.output.size() && find(given, "output") != nullptr; ++i) {
+    const Node& item = item_node(given, "output", i);
+    if (subject.output[i].kind == OutputKind::tracks) {
+      fail(find(item, "kind")->place, "there are no moving particles to track");
+    }
+    const Node* every = find(item, "every");
+    if (subject.inertia.steady && every != nullptr) {
+      fail(every->place, "has no meaning for a steady flow, which is written once");
+    }
+  }
+}
+
+}  // namespace
+
+void check_inertial(const Case& subject, const Node& given) {
+  if (!is_inertial(subject)) {
+    check_other_regime(given);
+    return;
+  }
+  if (!subject.particles.empty() || !subject.injection.empty() || !subject.surface.empty()) {
+    const std::string path = !subject.particles.empty()   ? "particles"
+                             : !subject.injection.empty() ? "injection"
+                                                          : "surface";
+    fail(place_of(given, path), "is not available with \"navier-stokes\" in this version",
+         "fines creep: regime = \"stokes\" is right for them while Re < 1");
+  }
+  if (!subject.inertia.steady && !(subject.run.end_time > 0)) {
+    fail(place_of(given, "run.end_time"), "is missing",
+         "end_time = \"1 s\", or steady = true for the steady flow alone");
+  }
+  for (const std::string path :
+       {"flow.tensor", "run.max_pore_volumes", "run.min_permeability_ratio", "flow.max_pressure"}) {
+    if (find(given, path) != nullptr) {
+      fail(place_of(given, path), "is for creeping flow");
+    }
+  }
+  for (const auto& [name, opening] :
+       {std::pair{"inlet", &subject.flow.inlet}, {"outlet", &subject.flow.outlet}}) {
+    if (*opening && (*opening)->kind == DriveKind::flow_rate) {
+      fail(place_of(given, fmt::format("flow.{}.flow_rate", name)),
+           "is not available with \"navier-stokes\" in this version",
+           "give a velocity: the rate over the area of the opening");
+    }
+  }
+  if (subject.inertia.lid) {
+    check_lid(*subject.inertia.lid, subject.flow, given);
+  }
+  for (std::size_t i = 0; i < subject.probe.size(); ++i) {
+    if (find(item_node(given, "probe", i), "position") == nullptr) {
+      fail(item_node(given, "probe", i).place, "needs a position");
+    }
+  }
+  check_outputs(subject, given);
+}
+
+}  // namespace porefines::config

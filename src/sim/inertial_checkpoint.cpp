@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MPL-2.0
+#include "sim/inertial_checkpoint.hpp"
+
+#include "config/writer.hpp"
+#include "io/checkpoint.hpp"
+#include "sim/dry_checkpoint.hpp"
+
+namespace porefines::sim {
+namespace {
+
+/// Calls visit(number) for every number of the state, in a fixed order.
+template <typename State, typename Memory, typename Visit>
+void for_reals(State& s, Memory& m, const Visit& visit) {
+  visit(s.step), visit(s.courant), visit(m.time), visit(m.step), visit(m.built);
+}
+
+template <typename State, typename Visit>
+void for_counts(State& s, const Visit& visit) {
+  visit(s.steps), visit(s.cycles), visit(s.samples), visit(s.fields_written);
+}
+
+io::GridBlock grid_of(const InertialRun& run) {
+  const grid::Block& b = run.solver.block();
+  return {.global_cells = run.domain.cells,
+          .origin = run.domain.origin(),
+          .spacing = run.domain.spacing,
+          .offset = b.start,
+          .cells = b.n};
+}
+
+}  // namespace
+
+void write_checkpoint(const InertialRun& run, const std::string& folder,
+                      const io::Provenance& provenance) {
+  const flow::InertialFlow::Memory memory = run.flow->remember();
+  io::Checkpoint checkpoint;
+  checkpoint.text("case", config::effective_case(run.the_case));
+  std::vector<Real> reals;
+  for_reals(run.state, memory, [&](Real value) { reals.push_back(value); });
+  checkpoint.whole("inertial_reals", std::move(reals));
+  std::vector<std::int64_t> counts{memory.states};
+  for_counts(run.state, [&](Index value) { counts.push_back(value); });
+  checkpoint.whole("inertial_counts", std::move(counts));
+  const io::GridBlock grid = grid_of(run);
+  constexpr int columns = flow::InertialFlow::columns;
+  checkpoint.block("flow_now", grid, std::span<const Real>(memory.now), columns);
+  checkpoint.block("flow_before", grid, std::span<const Real>(memory.old), columns);
+  io::write_checkpoint(folder, run.the_case.checkpoint.keep, checkpoint, provenance,
+                       run.comm.handle());
+}
+
+void go_on(InertialRun& run, const std::string& folder) {
+  const io::CheckpointReader reader(folder, run.comm.rank(), run.comm.size());
+  require_same_case(reader, run.the_case);
+  flow::InertialFlow::Memory memory;
+  const auto reals = reader.whole<Real>("inertial_reals");
+  std::size_t at = 0;
+  for_reals(run.state, memory, [&](Real& value) { value = reals.at(at++); });
+  const auto counts = reader.whole<std::int64_t>("inertial_counts");
+  at = 0;
+  memory.states = static_cast<int>(counts.at(at++));
+  for_counts(run.state, [&](Index& value) { value = counts.at(at++); });
+  const io::GridBlock grid = grid_of(run);
+  constexpr int columns = flow::InertialFlow::columns;
+  memory.now = reader.block<Real>("flow_now", grid, columns);
+  memory.old = reader.block<Real>("flow_before", grid, columns);
+  run.flow->recall(memory);
+}
+
+}  // namespace porefines::sim
