@@ -41,8 +41,11 @@ void check_lid(const Lid& lid, const Flow& flow, const Node& given) {
 void check_outputs(const Case& subject, const Node& given) {
   for (std::size_t i = 0; i < subject.output.size() && find(given, "output") != nullptr; ++i) {
     const Node& item = item_node(given, "output", i);
-    if (subject.output[i].kind == OutputKind::tracks) {
-      fail(find(item, "kind")->place, "there are no moving particles to track");
+    const OutputKind kind = subject.output[i].kind;
+    if (kind != OutputKind::fields && kind != OutputKind::pictures &&
+        (kind != OutputKind::summary || subject.inertia.steady)) {
+      fail(find(item, "kind")->place, "has no meaning for this flow",
+           "kinds here: fields, pictures, and summary where the flow is not steady");
     }
     const Node* every = find(item, "every");
     if (subject.inertia.steady && every != nullptr) {
@@ -69,9 +72,14 @@ void check_inertial(const Case& subject, const Node& given) {
     fail(place_of(given, "run.end_time"), "is missing",
          "end_time = \"1 s\", or steady = true for the steady flow alone");
   }
-  for (const std::string path :
-       {"flow.tensor", "run.max_pore_volumes", "run.min_permeability_ratio", "flow.max_pressure"}) {
-    if (find(given, path) != nullptr) {
+  const Flow& flow = subject.flow;
+  for (const auto& [path, said] :
+       {std::pair{"flow.tensor", flow.tensor},
+        {"run.max_pore_volumes", subject.run.max_pore_volumes > 0},
+        {"run.min_permeability_ratio", subject.run.min_permeability_ratio > 0},
+        {"flow.max_pressure", flow.max_pressure > 0},
+        {"clogging", !(subject.clogging == Clogging{})}}) {
+    if (said) {
       fail(place_of(given, path), "is for creeping flow");
     }
   }

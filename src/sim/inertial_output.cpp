@@ -194,14 +194,14 @@ InertialSink open_inertial_sink(const std::string& folder, const InertialRun& ru
 
 void write_inertial(InertialRun& run, InertialSink& sink, std::span<const float> solid) {
   const Real now = run.flow->time();
-  if (is_due(run.the_case, config::OutputKind::summary, run.state.samples, now)) {
+  const Real every = sample_interval(run.the_case, config::OutputKind::summary);
+  if (now >= static_cast<Real>(run.state.samples) * every * (1 - 1e-12)) {
     const std::vector<Real> row = series_values(run);
     on_root(run.comm, [&] { sink.series->append(row); });
-    const Real every = sample_interval(run.the_case, config::OutputKind::summary);
     run.state.samples = static_cast<Index>(std::floor(now / every * (1 + 1e-12))) + 1;
   }
   const config::Output* fields = config::find_output(run.the_case, config::OutputKind::fields);
-  const bool last = now >= run.the_case.run.end_time;
+  const bool last = now >= run.the_case.run.end_time * (1 - 1e-12);
   const bool due = fields != nullptr && fields->every > 0
                        ? now >= static_cast<Real>(run.state.fields_written) * fields->every
                        : last;
