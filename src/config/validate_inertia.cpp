@@ -42,13 +42,12 @@ void check_outputs(const Case& subject, const Node& given) {
   for (std::size_t i = 0; i < subject.output.size() && find(given, "output") != nullptr; ++i) {
     const Node& item = item_node(given, "output", i);
     const OutputKind kind = subject.output[i].kind;
-    if (kind != OutputKind::fields && kind != OutputKind::pictures &&
-        (kind != OutputKind::summary || subject.inertia.steady)) {
+    if (kind != OutputKind::fields && kind != OutputKind::pictures && kind != OutputKind::summary) {
       fail(find(item, "kind")->place, "has no meaning for this flow",
-           "kinds here: fields, pictures, and summary where the flow is not steady");
+           "kinds here: fields, pictures, summary");
     }
     const Node* every = find(item, "every");
-    if (subject.inertia.steady && every != nullptr) {
+    if (subject.inertia.steady && every != nullptr && kind != OutputKind::summary) {
       fail(every->place, "has no meaning for a steady flow, which is written once");
     }
   }
