@@ -6,7 +6,7 @@
 BUILD := build/release
 export CCACHE_BASEDIR := $(CURDIR)
 
-.PHONY: all setup build install demo check bench compare-openfoam compare-liggghts validate lint format fuzz clean
+.PHONY: all setup build install demo check bench compare-openfoam compare-liggghts compare-coupled validate lint format fuzz clean
 
 all: build
 
@@ -38,6 +38,9 @@ compare-openfoam: build
 compare-liggghts: build
 	@cmake --build --preset release --target dem_speed
 	@bench/liggghts/compare.sh
+
+compare-coupled: build
+	@bench/coupled/compare.sh
 
 validate: build
 	@ctest --preset validate
