@@ -7,7 +7,8 @@ namespace porefines::flow {
 
 RigidSpheres::RigidSpheres(const par::Communicator& comm, Operator& op, Friction& friction,
                            const Vec3& spacing, const Boundaries& boundaries)
-    : op_(op),
+    : comm_(comm),
+      op_(op),
       level_(op.level()),
       cover_(op, friction, boundaries),
       set_(comm, level_.decomposition, spacing, boundaries, level_.block) {}
@@ -60,10 +61,6 @@ void RigidSpheres::find_blocks() {
       }
     }
   }
-  const Real per_cell = 1 / set_.cell_volume();
-  for (const Lubrication& gap : gaps_) {
-    add_own_blocks(gap, per_cell, block);
-  }
   set_.sum(faces);
   set_.sum(block);
   for (std::size_t b = 0; b < set_.size(); ++b) {
@@ -71,6 +68,20 @@ void RigidSpheres::find_blocks() {
       block[b][7 * x] += 2 * set_.volume(b);
     }
   }
+  alone_ = block;
+  std::vector<SixBySix> bonds(set_.size(), SixBySix{});
+  for (const Lubrication& gap : gaps_) {
+    add_own_blocks(gap, 1 / set_.cell_volume(), bonds);
+  }
+  set_.sum(bonds);
+  for (std::size_t b = 0; b < set_.size(); ++b) {
+    for (std::size_t x = 0; x < 36; ++x) {
+      block[b][x] += bonds[b][x];
+    }
+  }
+  const bool here = std::any_of(gaps_.begin(), gaps_.end(),
+                                [](const Lubrication& gap) { return gap.second >= 0; });
+  bound_ = comm_.max(here ? 1.0 : 0.0) > 0;
   lower_.clear();
   spread_.clear();
   inverse_.clear();
@@ -222,11 +233,15 @@ void RigidSpheres::push_cell(std::uint32_t at, Real flux) {
 
 void RigidSpheres::update() {
   find_rows();
+  std::vector<Six> change(set_.size());
   for (std::size_t b = 0; b < set_.size(); ++b) {
-    const Six change = times(inverse_[b], sum_of(force_[b], row_[b]));
-    add_motion(b, change);
+    change[b] = sum_of(force_[b], row_[b]);
+  }
+  change = solve_together(std::move(change));
+  for (std::size_t b = 0; b < set_.size(); ++b) {
+    add_motion(b, change[b]);
     for (const SphereCell& q : cuts()[b].cells) {
-      push_cell(q.at, q.of(change));
+      push_cell(q.at, q.of(change[b]));
     }
   }
 }

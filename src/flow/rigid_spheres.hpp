@@ -69,7 +69,9 @@ class RigidSpheres {
   void load_force(const T* tail, Real scale);
   void rest();         ///< V = 0
   void show_motion();  ///< adds what the present V does to f and g
-  /// Solves each sphere's six rows with the fluid as it is, and pushes the pressure of its cells.
+  /// Solves the spheres' rows with the fluid as it is, and pushes the pressure of their cells. Spheres
+  /// that lubrication binds together are solved together: one by one they would follow each other
+  /// in hundreds of cycles (a chain of eight touching ones stalled the solve).
   void update();
   /// Residuals of the spheres' rows spread over the faces they cover, for the coarse level.
   void spread_residual();
@@ -101,10 +103,14 @@ class RigidSpheres {
   void find_blocks();
   void find_rows();
   [[nodiscard]] Six pull(std::size_t ball) const;
+  [[nodiscard]] std::vector<Six> solve_together(std::vector<Six> rest);
+  [[nodiscard]] std::vector<Six> times_matrix(const std::vector<Six>& v);
+  [[nodiscard]] Real dot_owned(const std::vector<Six>& a, const std::vector<Six>& b) const;
   void add_motion(std::size_t ball, const Six& change);
   void show_motion(std::size_t ball, const Six& change);
   void push_cell(std::uint32_t at, Real flux);
 
+  par::Communicator comm_;
   Operator& op_;
   Level& level_;
   SphereCover cover_;
@@ -113,6 +119,8 @@ class RigidSpheres {
   std::vector<SixBySix> lower_;    ///< L
   std::vector<SixBySix> spread_;   ///< N^-1; zero for held balls, as the next
   std::vector<SixBySix> inverse_;  ///< of the diagonal block
+  std::vector<SixBySix> alone_;    ///< the diagonal block without lubrication
+  bool bound_ = false;             ///< are there gaps between two balls, on any rank?
   std::vector<Six> motion_;
   std::vector<Six> force_;
   std::vector<Six> row_;
