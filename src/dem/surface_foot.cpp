@@ -24,8 +24,33 @@ struct Step {
   Real bent = 0;  ///< t.S t / 2
 };
 
+/// bending() of a surface that does not vary along z.
+Bending bending_across(const Jet& jet) {
+  Bending out;
+  out.slope = std::sqrt(jet.g.x * jet.g.x + jet.g.y * jet.g.y);
+  if (out.slope == 0) {
+    return out;
+  }
+  const Real inverse = 1 / out.slope;
+  out.n = {inverse * jet.g.x, inverse * jet.g.y, 0};
+  out.u = {out.n.y, -out.n.x, 0};
+  out.v = {0, 0, -1};
+  const Real along = out.u.x * (jet.xx * out.u.x + 2 * jet.xy * out.u.y);
+  out.uu = inverse * (along + jet.yy * out.u.y * out.u.y);
+  return out;
+}
+
+constexpr Real least_stretch = 0.02;
+
+/// tangential_step on such a surface.
+Step step_across(const Bending& b, Real d, const Vec3& e, Real longest) {
+  const Real t = dot(e, b.u) / std::max(std::abs(1 + d * b.uu), least_stretch);
+  const Real tu = std::clamp(t, -longest, longest);
+  return {tu * b.u, 0.5 * b.uu * tu * tu};
+}
+
 Step tangential_step(const Bending& b, Real d, const Vec3& e, Real longest) {
-  constexpr Real least = 0.02;
+  constexpr Real least = least_stretch;
   const Real eu = dot(e, b.u);
   const Real ev = dot(e, b.v);
   const Real mean = 1 + 0.5 * d * (b.uu + b.vv);
@@ -60,7 +85,7 @@ Foot find_foot(const SurfaceSpline& spline, const Vec3& centre, const Vec3& star
   Real off = 0;  // tangential offset
   for (int count = 0; count < most_steps; ++count) {
     const Jet jet = spline.jet(x);
-    const Bending here = bending(jet);
+    const Bending here = spline.flat ? bending_across(jet) : bending(jet);
     if (here.slope < least_slope) {
       return out;
     }
@@ -79,8 +104,9 @@ Foot find_foot(const SurfaceSpline& spline, const Vec3& centre, const Vec3& star
     }
     const Vec3 from = centre - best;
     const Real d = dot(from, b.n);
-    off = norm(from - d * b.n);
-    step = tangential_step(b, d, from - d * b.n, longest);
+    const Vec3 e = from - d * b.n;
+    off = norm(e);
+    step = spline.flat ? step_across(b, d, e, longest) : tangential_step(b, d, e, longest);
     x = best + step.t - step.bent * b.n;
     for (const Foot& foot : known) {
       const Vec3 apart = x - foot.at;

@@ -39,6 +39,23 @@ Real sum(const std::array<Real, 4>& a, const Lanes& b) {
   return (a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3]);
 }
 
+/// Value and derivatives where nothing varies along z: a third of the work.
+Jet flat_jet(const float* from, Index row, const Weights& a, const Weights& b) {
+  Lanes f{};
+  Lanes y{};
+  Lanes yy{};
+  for (std::size_t m = 0; m < 4; ++m, from += row) {
+    FloatLanes single;
+    std::memcpy(&single, from, sizeof single);
+    const Lanes v = __builtin_convertvector(single, Lanes);
+    f += b.w[m] * v;
+    y += b.d[m] * v;
+    yy += b.dd[m] * v;
+  }
+  return {
+      sum(a.w, f), {sum(a.d, f), sum(a.w, y), 0}, sum(a.dd, f), sum(a.w, yy), 0, sum(a.d, y), 0, 0};
+}
+
 /// Sums over y and z of the four columns along x, with the weights of their derivatives.
 struct Columns {
   Lanes f{}, y{}, z{}, yy{}, zz{}, yz{};
@@ -70,19 +87,16 @@ Jet SurfaceSpline::jet(const Vec3& x) const {
   const Weights a = weights(tx);
   const Weights b = weights(ty);
   const float* from = &c[static_cast<std::size_t>(geom::voxel_index(n, i, j, k))];
-  Columns s;
   if (flat) {
+    return flat_jet(from, row, a, b);
+  }
+  Columns s;
+  const Weights e = weights(tz);
+  const Index skip = row * n[1] - 4 * row;
+  for (std::size_t l = 0; l < 4; ++l, from += skip) {
     for (std::size_t m = 0; m < 4; ++m, from += row) {
-      s.add(from, b.w[m], b.d[m], 0, b.dd[m], 0, 0);
-    }
-  } else {
-    const Weights e = weights(tz);
-    const Index skip = row * n[1] - 4 * row;
-    for (std::size_t l = 0; l < 4; ++l, from += skip) {
-      for (std::size_t m = 0; m < 4; ++m, from += row) {
-        s.add(from, b.w[m] * e.w[l], b.d[m] * e.w[l], b.w[m] * e.d[l], b.dd[m] * e.w[l],
-              b.w[m] * e.dd[l], b.d[m] * e.d[l]);
-      }
+      s.add(from, b.w[m] * e.w[l], b.d[m] * e.w[l], b.w[m] * e.d[l], b.dd[m] * e.w[l],
+            b.w[m] * e.dd[l], b.d[m] * e.d[l]);
     }
   }
   return {sum(a.w, s.f),  {sum(a.d, s.f), sum(a.w, s.y), sum(a.w, s.z)},
