@@ -11,6 +11,9 @@ namespace porefines::dem {
 
 namespace {
 
+constexpr Real trusted =
+    0.9;  ///< share of a gap that a particle may go before it is looked at again
+
 /// A fixed surface has no Motion; moving primitives tell how fast they come.
 Real speed_bound(const Surface& surface, const Particles& p) {
   Real bound = 0;
@@ -45,11 +48,13 @@ void WallContacts::find(const Particles& p, std::uint32_t i, std::uint32_t surfa
 }
 
 void WallContacts::build(const Particles& p, Real skin, Real moved, const KeptContacts& kept) {
-  candidates_.clear(), entries_.clear();
+  candidates_.clear(), entries_.clear(), anchors_.clear(), is_still_.clear();
   largest_speed_ = 0;
   ahead_ = skin;
   for (const Surface& surface : surfaces_) {
-    largest_speed_ = std::max(largest_speed_, speed_bound(surface, p));
+    const Real speed = speed_bound(surface, p);
+    largest_speed_ = std::max(largest_speed_, speed);
+    is_still_.push_back(speed == 0 ? 1 : 0);
   }
   for (std::uint32_t i = 0; !empty() && i < p.owned; ++i) {
     for (std::uint32_t part = 0; p.inverse_mass[i] > 0 && part < surfaces_.size(); ++part) {
@@ -65,22 +70,50 @@ void WallContacts::build(const Particles& p, Real skin, Real moved, const KeptCo
         }
       }
       const auto count = static_cast<std::uint32_t>(entries_.size()) - first;
+      const Real gap = touches_.in_trouble() ? 0 : std::max<Real>(nearest_gap(skin), 0);
       candidates_.push_back({i, part, first, count, moved});
+      anchors_.push_back({p.position[i], is_still_[part] != 0 ? trusted * gap : 0});
     }
   }
 }
 
+/// [m] of the last search, at most `reach`.
+Real WallContacts::nearest_gap(Real reach) const {
+  Real gap = reach;
+  for (const Touch& touch : touches_.view()) {
+    gap = std::min(gap, touch.gap);
+  }
+  return gap;
+}
+
+/// Has a candidate that touched nothing gone less far than its gap to a surface that stays? `moved`
+/// is the way of the fastest particle of all; its own is shorter.
+bool WallContacts::stays_clear(const Particles& p, Real moved, std::size_t candidate) {
+  Candidate& c = candidates_[candidate];
+  const Anchor& anchor = anchors_[candidate];
+  const Real left = anchor.gap - norm(p.position[c.particle] - anchor.at);
+  if (c.count > 0 || left <= 0) {
+    return false;
+  }
+  c.clear = moved + left;
+  touches_.clear();
+  return true;
+}
+
 /// Finds what a candidate touches now, or until when it cannot. Forces always come from a search
 /// without reach: shares may depend on what else is in the list.
-void WallContacts::look(const Particles& p, Real moved, Candidate& c) {
+void WallContacts::look(const Particles& p, Real moved, std::size_t candidate) {
+  if (stays_clear(p, moved, candidate)) {
+    return;
+  }
+  Candidate& c = candidates_[candidate];
   if (c.count == 0) {
     find(p, c.particle, c.surface, ahead_);
-    Real gap = ahead_;
-    for (const Touch& touch : touches_.view()) {
-      gap = std::min(gap, touch.gap);
-    }
+    const Real gap = nearest_gap(ahead_);
     if (gap >= 0 && !touches_.in_trouble()) {
-      c.clear = moved + gap / 2;  // both may have moved
+      const bool still = is_still_[c.surface] != 0;
+      anchors_[candidate] = {p.position[c.particle], still ? trusted * gap : 0};
+      c.clear = moved + (still ? trusted * gap : gap / 2);  // both may have moved
       touches_.clear();
       return;
     }
@@ -129,10 +162,11 @@ void WallContacts::add_forces(const ContactModel& model, const MaterialTable& ma
       }
       b.count = 0;
     };
-    for (Candidate& c : candidates_) {
+    for (std::size_t q = 0; q < candidates_.size(); ++q) {
+      Candidate& c = candidates_[q];
       const auto first = static_cast<std::uint32_t>(next_.size());
       if (c.count > 0 || c.clear <= moved) {
-        look(p, moved, c);
+        look(p, moved, q);
         match(c, touches_, [&](const Touch& touch, const ContactHistory& history) {
           next_.push_back({touch.feature, touch.normal, history});
           const int k = b.count++;

@@ -82,6 +82,11 @@ class WallContacts {
     std::uint32_t count;
     Real clear;  ///< [m] it cannot touch before `moved` gets there
   };
+  struct
+      Anchor {  ///< where a candidate was when it was last looked at, and how far from the surface
+    Vec3 at;
+    Real gap = 0;
+  };
   struct Entry {  ///< a touch and what it remembers
     std::uint32_t feature;
     Vec3 normal;
@@ -93,7 +98,9 @@ class WallContacts {
     Real share;
   };
   void find(const Particles& particles, std::uint32_t i, std::uint32_t surface, Real reach);
-  void look(const Particles& particles, Real moved, Candidate& candidate);
+  [[nodiscard]] Real nearest_gap(Real reach) const;
+  [[nodiscard]] bool stays_clear(const Particles& particles, Real moved, std::size_t candidate);
+  void look(const Particles& particles, Real moved, std::size_t candidate);
   template <typename Add>
   void match(const Candidate& candidate, const TouchList& touches, const Add& add) const;
 
@@ -101,6 +108,8 @@ class WallContacts {
   std::vector<std::uint16_t> species_;
   int length_;
   std::vector<Candidate> candidates_;
+  std::vector<Anchor> anchors_;         ///< of every candidate
+  std::vector<std::uint8_t> is_still_;  ///< of every surface: it does not move
   std::vector<Entry> entries_;
   std::vector<Entry> next_;
   TouchList touches_;
