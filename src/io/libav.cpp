@@ -11,6 +11,11 @@
 namespace porefines::io {
 namespace {
 
+/// dlerror() has one text for all threads of some systems; here one thread opens libraries.
+const char* why() {
+  return ::dlerror();  // NOLINT(concurrency-mt-unsafe)
+}
+
 class Library {
  public:
   Library(const std::string& name, int version)
@@ -20,14 +25,14 @@ class Library {
       throw RunError(
           fmt::format("a movie needs {}, which cannot be opened: {}\n"
                       "install it (Debian: apt install lib{}{}) or write no movie",
-                      file_, ::dlerror(), name, version));
+                      file_, why(), name, version));
     }
   }
   template <typename Function>
   void find(const char* name, Function& function) const {
     function = reinterpret_cast<Function>(::dlsym(handle_, name));
     if (function == nullptr) {
-      throw RunError(fmt::format("{} knows no {}: {}", file_, name, ::dlerror()));
+      throw RunError(fmt::format("{} knows no {}: {}", file_, name, why()));
     }
   }
 

@@ -12,7 +12,7 @@ extern "C" {
 namespace porefines::io {
 
 /// What a movie needs of libav, under libav's own names.
-struct Libav {
+struct Libav {  // NOLINTBEGIN(readability-identifier-naming)
   decltype(&::av_dict_free) av_dict_free;
   decltype(&::av_dict_set) av_dict_set;
   decltype(&::av_frame_alloc) av_frame_alloc;
@@ -45,7 +45,7 @@ struct Libav {
   decltype(&::sws_getContext) sws_getContext;
   decltype(&::sws_scale) sws_scale;
   decltype(&::sws_setColorspaceDetails) sws_setColorspaceDetails;
-};
+};  // NOLINTEND(readability-identifier-naming)
 
 /// Opened at the first call, of the version that porefines was built with: its 140 libraries would
 /// cost every run 0.1 s and 20 MB. RunError that names the Debian package where one is missing.

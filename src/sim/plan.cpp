@@ -29,6 +29,15 @@ constexpr Real finest_fields = 21;  ///< per cell of the finest level during the
 constexpr Real lent_fields = 4;     ///< of these more where several ranks share the solve
 constexpr Real coarse_fields = 19;
 
+constexpr Real opened_lines =
+    1.06;  ///< lines without a pore voxel where a smooth surface opens faces
+
+/// Cells in the lines of a row, per cell.
+Real padding(int cells) {
+  const Real lines = std::ceil((cells + 3.0) / grid::line_width);
+  return lines * grid::line_width / cells;
+}
+
 /// Cells in memory of all ranks, ghosts and padding too, of one grid.
 Real stored_cells(const par::Decomposition& cut, const std::array<bool, 3>& periodic) {
   Real cells = 0;
@@ -104,9 +113,10 @@ Real estimate_memory(const geom::Sample& sample, const Domain& domain, const Pro
   const Real voxels =
       sample.spec.kind == geom::Kind::image ? static_cast<Real>(product(sample.voxels.n)) : 0;
   const Real stored = stored_cells(cut, periodic);
+  const Real lines = cells * probe.active_share * padding(domain.cells[0]) * opened_lines;
   const Real fields = finest_fields + (ranks > 1 ? lent_fields : 0);
   const Real solve = fields * float_bytes * stored + coarse_bytes(cut, periodic) +
-                     (packed_bytes * probe.active_share + result_bytes) * cells;
+                     packed_bytes * lines + result_bytes * cells;
   const Real set_up = setup_fields * float_bytes * stored + distance_bytes * voxels;
   return static_cast<Real>(ranks) * base_bytes + voxel_bytes * voxels + std::max(solve, set_up);
 }
