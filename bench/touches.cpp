@@ -43,7 +43,7 @@ const geom::VoxelSolid& rubble() {
 }
 
 const dem::Surface& field() {
-  static const dem::Surface surface = dem::make_field(rubble(), largest);
+  static const dem::Surface surface = dem::Fixed(dem::make_field(rubble(), largest));
   return surface;
 }
 
@@ -61,7 +61,7 @@ const dem::Surface& mesh() {
         }
       }
     }
-    return dem::Surface(dem::make_mesh(geom::grain_surface(whole), largest));
+    return dem::Surface(dem::Fixed(dem::make_mesh(geom::grain_surface(whole), largest)));
   }();
   return surface;
 }
