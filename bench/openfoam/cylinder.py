@@ -102,7 +102,7 @@ def porefines(folder: pathlib.Path, n: int):
         times.append(cpu([program, "run", str(ROOT / "cases/cylinder/case.toml"), "-o", str(case / str(steps)),
                           f"grid.cell_size={h:.12g} m", f'geometry.size=["6.3 mm", "5 mm", "{h:.12g} m"]',
                           f"run.end_time={dt * steps:.12g} s", f"flow.time_step={dt:.12g} s", "flow.scheme=lust",
-                          "flow.courant=2", "output=[]", "flow.disturbance=0.02"], case))
+                          "flow.courant=2", 'output=[{ kind = "summary", every = "1 s" }]', "flow.disturbance=0.02"], case))
     rows = (case / str(LENGTHS[1]) / "series.csv").read_text().split("\n")
     names, last = rows[0].split(","), rows[-2].split(",")
     return (times[1] - times[0]) / (LENGTHS[1] - LENGTHS[0]), float(last[names.index("courant")])

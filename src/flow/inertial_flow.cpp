@@ -39,7 +39,7 @@ InertialFlow::InertialFlow(StokesSolver& solver, Real density, Scheme scheme, Ti
   inertia_ = density * speed * h / parts_.viscosity;
   const std::size_t size = parts_.equations.size();
   parts_.unknowns.assign(size, 0.0);
-  for (Packed<double>* v : {&old_, &older_, &history_, &r_, &image_}) {
+  for (Packed<double>* v : {&old_, &older_, &history_, &r_, &image_, &time_weight_}) {
     v->assign(size, 0.0);
   }
   part_.assign(size, 0.0F);
@@ -118,6 +118,15 @@ void InertialFlow::set_weight(Real weight) {
       }
     }
   }
+  parts_.equations.for_each_line([&](int i, int j, int k, std::size_t line) {
+    const std::ptrdiff_t face = level.block.at(i, j, k);
+    for (int c = 0; c < 3; ++c) {
+      for (int l = 0; l < width; ++l) {
+        time_weight_[line + c * width + l] =
+            static_cast<double>(parts_.friction.excess[c][face + l]) - base_[c][face + l];
+      }
+    }
+  });
   finish_level(level);
   if (built_ == 0 || weight > near * built_ || built_ > near * weight) {
     parts_.hierarchy.build();
@@ -129,7 +138,7 @@ void InertialFlow::set_weight(Real weight) {
 void InertialFlow::find_guess(Real ratio) {
   Packed<double>& x = parts_.unknowns;
   const bool middle = scheme_in_time_ == TimeScheme::midpoint;
-  for (std::size_t line = 0; line < x.size(); line += packed_width) {
+  for (std::size_t line = 0; line < old_.size(); line += packed_width) {
     for (std::size_t at = line; at < line + packed_width; ++at) {
       const bool velocity = at < line + 3 * width;
       const double now = x[at];
@@ -152,18 +161,22 @@ void InertialFlow::show_drive(const Drive& drive) {
 
 StepReport InertialFlow::advance(Real step, const Drive& drive, const StepOptions& options) {
   const Real ratio = last_step_ > 0 ? step / last_step_ : 1;
-  const auto [a0, a1, a2] = coefficients(scheme_in_time_, states_ == 1, ratio);
+  const std::array<Real, 3> a = coefficients(scheme_in_time_, states_ == 1, ratio);
+  const auto [a0, a1, a2] = a;
   const Real h = parts_.spacing.x;
+  lift_spheres();
   set_weight(a0 * density_ * h * h / (parts_.viscosity * step));
   find_guess(ratio);
   for (std::size_t at = 0; at < history_.size(); ++at) {
     history_[at] = -(a1 * old_[at] + a2 * older_[at]) / a0;
   }
   show_drive(drive);
-  const StepReport report = solve(drive_rows_, options);
+  place_spheres(a, ratio);
+  const StepReport report = solve(rows_, options);
+  find_motions();
   if (scheme_in_time_ == TimeScheme::midpoint) {
     Packed<double>& x = parts_.unknowns;
-    for (std::size_t line = 0; line < x.size(); line += packed_width) {
+    for (std::size_t line = 0; line < old_.size(); line += packed_width) {
       for (std::size_t at = line; at < line + 3 * width; ++at) {
         x[at] = 2 * x[at] - old_[at];
       }
@@ -178,6 +191,7 @@ StepReport InertialFlow::advance(Real step, const Drive& drive, const StepOption
 void InertialFlow::show_velocity(const Drive& drive) {
   show_drive(drive);
   u_.load(parts_.hierarchy.finest(), parts_.equations, parts_.unknowns, inlet_, u_);
+  show_covered(u_);
 }
 
 Real InertialFlow::crossing_rate() {

@@ -58,6 +58,14 @@ class InertialFlow {
   /// Velocity at t = 0, at face centres [m from the low corner of the grid].
   void set_velocity(const std::function<Vec3(const Vec3&)>& velocity);
 
+  /// Spheres of the next step, at their places of its end, each with the rank whose block holds its
+  /// centre; as StokesSolver::set_spheres. Free ones obey m dV/dt = fluid + force, I dw/dt = fluid + torque in
+  /// the same solve, with m and I by their density: weight less buoyancy belongs to the force. Not with
+  /// midpoint.
+  void set_spheres(std::span<const Sphere> owned, std::span<const WallGap> walls = {});
+  /// Of the last step, in the order given.
+  [[nodiscard]] const std::vector<SphereMotion>& sphere_motions() const { return found_; }
+
   /// One step [s]. Steps may differ; a changed one costs a set-up of the coarse levels when it moves by
   /// more than a third. Collective.
   StepReport advance(Real step, const Drive& drive, const StepOptions& options);
@@ -106,6 +114,18 @@ class InertialFlow {
     Packed<float> z, q;
     Real square = 0;
   };
+  /// Motion of a sphere at the last two times, by id, scaled.
+  struct Past {
+    std::uint64_t id = 0;
+    Six now{}, old{};
+  };
+  [[nodiscard]] Past past_of(const Sphere& sphere) const;
+  [[nodiscard]] std::vector<Ball> heavy_balls(const std::array<Real, 3>& a, Real ratio) const;
+  void lift_spheres();
+  void place_spheres(const std::array<Real, 3>& a, Real ratio);
+  void find_motions();
+  void show_covered(FaceVelocity& u) const;
+  [[nodiscard]] RigidSpheres* spheres() const { return parts_.equations.spheres(); }
   void weigh_inlets();
   void set_weight(Real weight);
   void find_guess(Real ratio);
@@ -144,6 +164,10 @@ class InertialFlow {
   Packed<double> old_, older_;  ///< one and two steps ago
   Packed<double> history_;      ///< what the rows draw u to by the time term
   Packed<double> r_;
+  Packed<double> time_weight_;  ///< of u in each row: what friction holds above its base
+  std::vector<Past> past_;
+  std::vector<SphereMotion> found_;
+  std::vector<std::uint32_t> vacated_;
   Packed<double> image_;
   Packed<float> part_;
   Packed<float> carried_;
@@ -151,6 +175,7 @@ class InertialFlow {
   std::vector<Direction> spare_;  ///< memory of former directions
   Packed<float> drive_rows_;      ///< right-hand side of the last drive
   std::optional<Drive> drive_;
+  Packed<float> rows_;  ///< right-hand side of the step
   Real time_ = 0;
   Real last_step_ = 0;
   int states_ = 1;  ///< known times, the present one included

@@ -9,8 +9,9 @@ namespace porefines::flow {
 namespace {
 
 constexpr int width = grid::line_width;
-constexpr Real vanishing = 1e-10;  ///< share of a direction's square that float can still tell
-constexpr Real little_gain = 0.8;  ///< of the residual left: the cycle gained little
+constexpr Real vanishing = 1e-10;    ///< share of a direction's square that float can still tell
+constexpr Real little_gain = 0.8;    ///< of the residual left: the cycle gained little
+constexpr Real little_curved = 0.1;  ///< of the tolerance: what linear rows may miss
 constexpr Real trusted = 1e-2;  ///< reduction after which the linearised residual is looked at anew
 
 /// Sum of a b over lines, momentum and continuity apart, one accumulator per lane.
@@ -28,6 +29,20 @@ class RowSum {
       continuity_[l] +=
           static_cast<double>(a[3 * width + l]) * static_cast<double>(b[3 * width + l]);
     }
+  }
+  /// Rows of spheres count as momentum.
+  template <typename A, typename B>
+  void add_tail(const A* a, const B* b, std::size_t count) {
+    for (std::size_t at = 0; at < count; ++at) {
+      momentum_[at % width] += static_cast<double>(a[at]) * static_cast<double>(b[at]);
+    }
+  }
+  template <typename A, typename B>
+  void add_all(const A& a, const B& b, std::size_t fluid) {
+    for (std::size_t at = 0; at < fluid; at += packed_width) {
+      add(a.data() + at, b.data() + at);
+    }
+    add_tail(a.data() + fluid, b.data() + fluid, a.size() - fluid);
   }
   [[nodiscard]] double value(double factor) const {
     double total = 0;
@@ -56,16 +71,14 @@ Real InertialFlow::row_factor() const {
 template <typename T>
 Real InertialFlow::row_norm(const Packed<T>& rows) const {
   RowSum sum;
-  for (std::size_t at = 0; at < rows.size(); at += packed_width) {
-    sum.add(rows.data() + at, rows.data() + at);
-  }
+  sum.add_all(rows, rows, parts_.equations.fluid_size());
   return std::sqrt(parts_.comm.sum(sum.value(row_factor())));
 }
 
 Real InertialFlow::velocity_norm() const {
   const Packed<double>& x = parts_.unknowns;
   Real total = 0;
-  for (std::size_t at = 0; at < x.size(); at += packed_width) {
+  for (std::size_t at = 0; at < old_.size(); at += packed_width) {
     for (int l = 0; l < 3 * width; ++l) {
       total += x[at + l] * x[at + l];
     }
@@ -77,7 +90,7 @@ Real InertialFlow::velocity_norm() const {
 Real InertialFlow::change() const {
   const Packed<double>& x = parts_.unknowns;
   Real total = 0;
-  for (std::size_t at = 0; at < x.size(); at += packed_width) {
+  for (std::size_t at = 0; at < old_.size(); at += packed_width) {
     for (int l = 0; l < 3 * width; ++l) {
       const double d = x[at + l] - old_[at + l];
       total += d * d;
@@ -94,6 +107,10 @@ void InertialFlow::find_residual(const Packed<float>& b) {
   Level& level = parts_.hierarchy.finest();
   const Packed<double>& x = parts_.unknowns;
   u_.load(level, op, x, inlet_, u_);
+  if (spheres() != nullptr) {
+    spheres()->load_motion(x.data() + op.fluid_size());
+    show_covered(u_);
+  }
   advection_.apply(op, u_, carried_);
   for (std::size_t at = 0; at < x.size(); ++at) {
     r_[at] = b[at] - inertia_ * carried_[at];
@@ -102,12 +119,10 @@ void InertialFlow::find_residual(const Packed<float>& b) {
   op.for_each_line([&](int i, int j, int k, std::size_t line) {
     const std::ptrdiff_t face = level.block.at(i, j, k);
     for (int c = 0; c < 3; ++c) {
-      const float* with = parts_.friction.excess[c].data() + face;
-      const float* without = base_[c].data() + face;
+      const float* inverse = level.inverse_diagonal[c].data() + face;
       const std::size_t at = line + c * width;
       for (int l = 0; l < width; ++l) {
-        const double weight = static_cast<double>(with[l]) - without[l];
-        r_[at + l] += weight * history_[at + l];
+        r_[at + l] += inverse[l] != 0 ? time_weight_[at + l] * history_[at + l] : 0;
       }
     }
   });
@@ -139,10 +154,11 @@ void InertialFlow::search(bool stalled, Real size) {
       op.load_right_hand_side(r_, 1 / size);
     }
   };
-  cycle(parts_.hierarchy, load_sides);
+  cycle(parts_.hierarchy, load_sides, op.spheres());
   op.store_unknowns(newest.z);
   op.apply(newest.q);
   z_.load(parts_.hierarchy.finest(), op, newest.z, {}, u_);
+  show_covered(z_);
   advection_.change(op, u_, z_, carried_);
   const auto inertia = static_cast<float>(inertia_);
   for (std::size_t at = 0; at < newest.q.size(); ++at) {
@@ -165,12 +181,19 @@ Real InertialFlow::descend(std::size_t most) {
   Direction& newest = kept_.back();
   const std::size_t before = kept_.size() - 1;
   std::vector<RowSum> sums(2 + before);
-  for (std::size_t at = 0; at < r_.size(); at += packed_width) {
+  const std::size_t fluid = parts_.equations.fluid_size();
+  const std::size_t tail = r_.size() - fluid;
+  for (std::size_t at = 0; at < fluid; at += packed_width) {
     sums[0].add(newest.q.data() + at, newest.q.data() + at);
     sums[1].add(r_.data() + at, newest.q.data() + at);
     for (std::size_t s = 0; s < before; ++s) {
       sums[2 + s].add(newest.q.data() + at, kept_[s].q.data() + at);
     }
+  }
+  sums[0].add_tail(newest.q.data() + fluid, newest.q.data() + fluid, tail);
+  sums[1].add_tail(r_.data() + fluid, newest.q.data() + fluid, tail);
+  for (std::size_t s = 0; s < before; ++s) {
+    sums[2 + s].add_tail(newest.q.data() + fluid, kept_[s].q.data() + fluid, tail);
   }
   std::vector<Real> dots;
   for (const RowSum& sum : sums) {
@@ -192,23 +215,28 @@ Real InertialFlow::descend(std::size_t most) {
   const Real alpha = newest.square > 0 ? dots[1] / newest.square : 0;
   Packed<double>& x = parts_.unknowns;
   RowSum left;
-  for (std::size_t at = 0; at < x.size(); at += packed_width) {
+  const auto go = [&](std::size_t at, int count) {
     float* z = newest.z.data() + at;
     float* q = newest.q.data() + at;
     for (std::size_t s = 0; s < before; ++s) {
       const float* zs = kept_[s].z.data() + at;
       const float* qs = kept_[s].q.data() + at;
-      for (int l = 0; l < packed_width; ++l) {
+      for (int l = 0; l < count; ++l) {
         z[l] -= beta[s] * zs[l];
         q[l] -= beta[s] * qs[l];
       }
     }
-    for (int l = 0; l < packed_width; ++l) {
+    for (int l = 0; l < count; ++l) {
       x[at + l] += alpha * static_cast<double>(z[l]);
       r_[at + l] -= alpha * static_cast<double>(q[l]);
     }
+  };
+  for (std::size_t at = 0; at < fluid; at += packed_width) {
+    go(at, packed_width);
     left.add(r_.data() + at, r_.data() + at);
   }
+  go(fluid, static_cast<int>(tail));
+  left.add_tail(r_.data() + fluid, r_.data() + fluid, tail);
   drop_directions(nothing_new ? 1 : most);
   return std::sqrt(parts_.comm.sum(left.value(factor)));
 }
@@ -227,8 +255,11 @@ StepReport InertialFlow::solve(const Packed<float>& b, const StepOptions& option
     const auto exhausted = [&] {
       return report.cycles >= options.max_cycles || !std::isfinite(size);
     };
+    // What the linear rows miss is quadratic in the change that they ask for.
+    const bool linear = first * first <= little_curved * options.tolerance * reference * reference;
+    const Real floor = linear ? 0 : trusted * first;
     bool stalled = false;
-    while (size > 0 && !exhausted() && (report.cycles == 0 || !small()) && size > trusted * first) {
+    while (size > floor && !exhausted() && (report.cycles == 0 || !small())) {
       search(stalled, size);
       const Real before = size;
       size = descend(static_cast<std::size_t>(options.directions));
@@ -237,7 +268,7 @@ StepReport InertialFlow::solve(const Packed<float>& b, const StepOptions& option
     }
     report.residual = reference > 0 ? size / reference : 0;
     report.converged = small();
-    const bool known = size > trusted * first || size == first;
+    const bool known = linear || size > floor;
     if ((report.converged && known) || exhausted() ||
         (options.interrupted && options.interrupted())) {
       return report;

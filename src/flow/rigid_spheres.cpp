@@ -67,6 +67,9 @@ void RigidSpheres::find_blocks() {
     for (const int x : {3, 4, 5}) {
       block[b][7 * x] += 2 * set_.volume(b);
     }
+    for (int x = 0; x < 6; ++x) {
+      block[b][7 * x] += x < 3 ? set_.balls()[b].mass : set_.balls()[b].moment;
+    }
   }
   alone_ = block;
   std::vector<SixBySix> bonds(set_.size(), SixBySix{});
@@ -142,6 +145,10 @@ void RigidSpheres::find_rows() {
   for (std::size_t b = 0; b < set_.size(); ++b) {
     for (const int x : {3, 4, 5}) {
       row_[b][x] -= 2 * set_.volume(b) * motion_[b][x];
+    }
+    const Ball& ball = set_.balls()[b];
+    for (std::size_t x = 0; x < 6 && !ball.held; ++x) {
+      row_[b][x] -= (x < 3 ? ball.mass : ball.moment) * motion_[b][x];
     }
   }
 }

@@ -19,9 +19,9 @@ namespace porefines::flow {
 ///
 ///     momentum:    A u - sum k r.V + W grad p = f
 ///     continuity:  div W u + sum g.V = 0
-///     sphere:      sum k r (r.V - u) - sum g p + 2 mu Vol (0, omega) + lubrication = F
+///     sphere:      sum k r (r.V - u) - sum g p + 2 mu Vol (0, omega) + lubrication + m V = F
 ///
-/// The Laplacian of the momentum rows stands for the traction mu du/dn; that of the full stress has
+/// m, the mass over the time step, is 0 in a creeping flow. The Laplacian of the momentum rows stands for the traction mu du/dn; that of the full stress has
 /// mu (grad u)^T n besides, which is -mu omega x n on a rigid surface: no force, but the torque
 /// -2 mu Vol omega, a third of 8 pi mu a^3 omega.
 /// But for it the third row is the transpose of what the first two hold of V: force and torque come from the
@@ -86,6 +86,15 @@ class RigidSpheres {
         if (q.face.owned) {
           visit(q, q.face.of(motion_[b]));
         }
+      }
+    }
+  }
+  /// The same for all that this rank knows: visit(component, place in a field, velocity).
+  template <typename Visit>
+  void for_all_covered(const Visit& visit) const {
+    for (std::size_t b = 0; b < set_.size(); ++b) {
+      for (const RigidFace& q : cuts()[b].faces) {
+        visit(q.face.component, q.face.at, q.face.of(motion_[b]));
       }
     }
   }

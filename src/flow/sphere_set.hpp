@@ -23,8 +23,10 @@ struct Ball {
   Real radius = 0;  ///< that the grid sees: the calibrated one
   Real body = 0;    ///< radius of the sphere itself
   bool held = false;
-  Six force{};   ///< from outside, per volume of a fine cell
-  Six motion{};  ///< of the step before; kept where held
+  Six force{};      ///< from outside, per volume of a fine cell
+  Six motion{};     ///< of the step before; kept where held
+  Real mass = 0;    ///< over the step, in the rows: 0 without inertia
+  Real moment = 0;  ///< of inertia, likewise
 };
 
 /// A share of the flux that a moving ball drives into a cell, on its way to the rank of that cell.

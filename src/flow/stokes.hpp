@@ -31,6 +31,7 @@ struct Sphere {
   Vec3 spin;             ///< [rad/s]
   Vec3 force;            ///< [N] on it, from outside the fluid
   Vec3 torque;           ///< [N m]
+  Real density = 0;      ///< [kg/m^3] counts where there is inertia
 };
 
 /// What the solve found of a sphere.
@@ -137,6 +138,7 @@ class StokesSolver {
   [[nodiscard]] Packed<float> right_hand_side(const Drive& drive) const;
 
  private:
+  friend class InertialFlow;
   void finish_setup(Friction friction);
   [[nodiscard]] Real force_scale(const Drive& drive) const;
   [[nodiscard]] Packed<double> first_guess(const Drive& drive) const;

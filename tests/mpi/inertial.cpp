@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "flow/inertial_flow.hpp"
-#include "support/solve.hpp"
+#include "support/free_spheres.hpp"
 
 namespace porefines::test {
 
@@ -31,6 +31,28 @@ State stream(const par::Communicator& comm, flow::TimeScheme time) {
   return {flow.kinetic_energy(), flow.crossing_rate(), solver.plane_velocities(0, 20)};
 }
 
+/// Speed of a heavy sphere that falls across the seams of a periodic box.
+Vec3 falling(const par::Communicator& comm) {
+  flow::StokesSolver solver(comm, even_cut({16, 16, 36}, comm.size()), {1, 1, 1}, {}, 0.2);
+  solver.set_surface([](const Vec3&) { return 1e3; });
+  flow::InertialFlow flow(solver, 1.0, flow::Scheme::lust, flow::TimeScheme::bdf2, 1.0);
+  flow::Drive drive;
+  drive.force = {0, 0, 0.01};
+  flow::Sphere ball = sphere(1, {8.2, 7.7, 19.9}, 3);
+  ball.density = 2;
+  ball.velocity = {0.1, 0, -0.5};
+  ball.force = {0, 0, -10};
+  for (int s = 0; s < 3; ++s) {
+    ball.position += ball.velocity * 0.6;
+    const auto here = mine(solver, {ball});
+    flow.set_spheres(here);
+    EXPECT_TRUE(flow.advance(0.6, drive, {.tolerance = 1e-6}).converged);
+    const Vec3 v = here.empty() ? Vec3{} : flow.sphere_motions()[0].velocity;
+    ball.velocity = {comm.sum(v.x), comm.sum(v.y), comm.sum(v.z)};
+  }
+  return ball.velocity;
+}
+
 }  // namespace
 
 TEST(InertialRanks, one_is_all) {
@@ -40,6 +62,15 @@ TEST(InertialRanks, one_is_all) {
   EXPECT_NEAR(together.rate / alone.rate, 1, 1e-5);
   for (std::size_t i = 0; i < alone.plane.size(); ++i) {
     EXPECT_NEAR(together.plane[i], alone.plane[i], 1e-5);
+  }
+}
+
+TEST(InertialRanks, a_sphere_crosses_seams) {
+  const Vec3 alone = falling(par::Communicator::self());
+  const Vec3 together = falling(par::Communicator());
+  EXPECT_LT(alone.z, -0.1);
+  for (int a = 0; a < 3; ++a) {
+    EXPECT_NEAR(together[a], alone[a], 1e-5) << a;
   }
 }
 

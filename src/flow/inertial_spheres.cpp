@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MPL-2.0
+// InertialFlow with rigid spheres.
+#include <algorithm>
+
+#include "flow/inertial_flow.hpp"
+#include "flow/smoother.hpp"
+
+namespace porefines::flow {
+
+namespace {
+
+Six six(const Vec3& a, const Vec3& b) {
+  return {a.x, a.y, a.z, b.x, b.y, b.z};
+}
+
+}  // namespace
+
+void InertialFlow::set_spheres(std::span<const Sphere> owned, std::span<const WallGap> walls) {
+  solver_.set_spheres(owned, walls);
+}
+
+/// Known from the last step, or as given: a sphere that is new has moved like that before.
+InertialFlow::Past InertialFlow::past_of(const Sphere& sphere) const {
+  const auto known =
+      std::find_if(past_.begin(), past_.end(), [&](const Past& q) { return q.id == sphere.id; });
+  if (known != past_.end()) {
+    return *known;
+  }
+  const Real unit = velocity_unit();
+  const Six motion = six(sphere.velocity / unit, sphere.spin * (parts_.spacing.x / unit));
+  return {sphere.id, motion, motion};
+}
+
+/// Mass over the step, (a0/dt) m; what the former motions leave of it joins the force:
+///
+///     m (a0 V + a1 V_old + a2 V_older)/dt = F
+std::vector<Ball> InertialFlow::heavy_balls(const std::array<Real, 3>& a, Real ratio) const {
+  std::vector<Ball> balls = solver_.scaled_spheres();
+  const Vec3& h = parts_.spacing;
+  for (std::size_t q = 0; q < balls.size(); ++q) {
+    Ball& ball = balls[q];
+    const Sphere& sphere = solver_.given_[q];
+    const Real r = ball.body;
+    const Real cells = 4.0 / 3 * M_PI * r * r * r * h.x * h.x / (h.y * h.z);
+    ball.mass = sphere.density / density_ * cells * weight_;
+    ball.moment = 0.4 * r * r * ball.mass;
+    const Past past = past_of(sphere);
+    for (std::size_t x = 0; x < 6 && !ball.held; ++x) {
+      const Real kept = -(a[1] * past.now[x] + a[2] * past.old[x]) / a[0];
+      ball.force[x] += (x < 3 ? ball.mass : ball.moment) * kept;
+      ball.motion[x] = past.now[x] + ratio * (past.now[x] - past.old[x]);
+    }
+  }
+  return balls;
+}
+
+/// The grid without spheres; unknowns end with those of the fluid.
+void InertialFlow::lift_spheres() {
+  if (spheres() != nullptr) {
+    vacated_ = spheres()->cover().covered_cells();
+    solver_.lift_spheres();
+    parts_.unknowns.resize(parts_.equations.fluid_size());
+  }
+}
+
+/// Covers the grid, and makes guess and right-hand side those of the fluid outside.
+void InertialFlow::place_spheres(const std::array<Real, 3>& a, Real ratio) {
+  rows_ = drive_rows_;
+  if (!solver_.spheres_) {
+    return;
+  }
+  Operator& op = parts_.equations;
+  Level& level = parts_.hierarchy.finest();
+  Packed<double>& x = parts_.unknowns;
+  RigidSpheres& all = *solver_.spheres_;
+  all.place(heavy_balls(a, ratio), solver_.scaled_walls(), solver_.roughness_ / parts_.spacing.x);
+  op.attach(&all);
+  const std::size_t fluid = op.fluid_size();
+  all.for_covered([&](const RigidFace& q, Real) {
+    x[op.position(q.face.component, all.cover().index_of(q.face.at))] = 0;
+  });
+  x.resize(op.size(), 0.0);
+  for (std::size_t q = 0; q < all.set().owned(); ++q) {
+    for (std::size_t i = 0; i < 6; ++i) {
+      x[fluid + RigidSpheres::tail_of(q) + i] = all.set().balls()[q].motion[i];
+    }
+  }
+  op.load_unknowns(x);
+  solver_.fill_vacated(vacated_);
+  const auto take_pressure = [&](const std::vector<std::uint32_t>& cells) {
+    for (const std::uint32_t at : cells) {
+      const Int3 cell = all.cover().index_of(at);
+      if (level.owns(3, cell)) {
+        x[op.position(3, cell)] = level.push[at] != 0 ? level.p[at] : 0;
+      }
+    }
+  };
+  take_pressure(vacated_);
+  take_pressure(all.cover().covered_cells());
+  solver_.drive_on_ = all.take_drive(rows_);
+  rows_.resize(op.size(), 0.0F);
+  for (std::size_t q = 0; q < all.set().owned(); ++q) {
+    Six force = sum_of(solver_.drive_on_[q], all.set().balls()[q].force);
+    all.scale_force(q, force);
+    for (std::size_t i = 0; i < 6; ++i) {
+      rows_[fluid + RigidSpheres::tail_of(q) + i] = static_cast<float>(force[i]);
+    }
+  }
+  for (Packed<double>* v : {&r_, &image_}) {
+    v->assign(op.size(), 0.0);
+  }
+  part_.assign(op.size(), 0.0F);
+  carried_.assign(op.size(), 0.0F);
+}
+
+/// Motions and forces of the step; covered faces get their velocity, which is the fluid's history when
+/// a sphere leaves them.
+void InertialFlow::find_motions() {
+  found_.clear();
+  if (spheres() == nullptr) {
+    return;
+  }
+  Operator& op = parts_.equations;
+  RigidSpheres& all = *spheres();
+  Packed<double>& x = parts_.unknowns;
+  const std::size_t fluid = op.fluid_size();
+  op.load_unknowns(x);
+  op.apply(image_);
+  all.load_motion(x.data() + fluid);
+  std::vector<Past> now;
+  const Real unit = velocity_unit();
+  const Vec3& h = parts_.spacing;
+  const Real force_unit = parts_.scale * h.x * h.y * h.z;
+  for (std::size_t q = 0; q < all.set().owned(); ++q) {
+    const Ball& ball = all.set().balls()[q];
+    const Six v = all.motion()[q];
+    Six f = sum_of(all.rows()[q], solver_.drive_on_[q]);
+    for (std::size_t i = 0; i < 6 && !ball.held; ++i) {
+      f[i] += (i < 3 ? ball.mass : ball.moment) * v[i];
+    }
+    SphereMotion m;
+    m.velocity = unit * Vec3{v[0], v[1], v[2]};
+    m.spin = unit / h.x * Vec3{v[3], v[4], v[5]};
+    m.force = force_unit * Vec3{f[0], f[1], f[2]};
+    m.torque = force_unit * h.x * Vec3{f[3], f[4], f[5]};
+    found_.push_back(m);
+    now.push_back({ball.id, v, past_of(solver_.given_[q]).now});
+  }
+  past_ = now;
+  all.for_covered([&](const RigidFace& q, Real velocity) {
+    x[op.position(q.face.component, all.cover().index_of(q.face.at))] = velocity;
+  });
+}
+
+/// Rigid velocities on covered faces, by the motions that are loaded.
+void InertialFlow::show_covered(FaceVelocity& u) const {
+  if (spheres() != nullptr) {
+    spheres()->for_all_covered([&](int component, std::uint32_t at, Real velocity) {
+      u.data(component)[at] = static_cast<float>(velocity);
+    });
+  }
+}
+
+}  // namespace porefines::flow
