@@ -10,6 +10,7 @@ porefines: BDF2, LUST, velocity and pressure to 1e-6. Cost = difference of two r
 drops out; CPU time, so that a busy machine weighs the same on both.
 PF names the program. Needs openfoam, python3-numpy.
 """
+import json
 import os
 import pathlib
 import re
@@ -103,9 +104,8 @@ def porefines(folder: pathlib.Path, n: int):
                           f"grid.cell_size={h:.12g} m", f'geometry.size=["6.3 mm", "5 mm", "{h:.12g} m"]',
                           f"run.end_time={dt * steps:.12g} s", f"flow.time_step={dt:.12g} s", "flow.scheme=lust",
                           "flow.courant=2", 'output=[{ kind = "summary", every = "1 s" }]', "flow.disturbance=0.02"], case))
-    rows = (case / str(LENGTHS[1]) / "series.csv").read_text().split("\n")
-    names, last = rows[0].split(","), rows[-2].split(",")
-    return (times[1] - times[0]) / (LENGTHS[1] - LENGTHS[0]), float(last[names.index("courant")])
+    summary = json.loads((case / str(LENGTHS[1]) / "summary.json").read_text())
+    return (times[1] - times[0]) / (LENGTHS[1] - LENGTHS[0]), summary["courant"]
 
 
 def main() -> None:
