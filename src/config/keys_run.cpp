@@ -84,6 +84,8 @@ std::vector<Key> run_keys() {
                    "wall time after which the run ends, with its results so far"),
       quantity_key("run.max_pore_volumes", &Case::run, &Run::max_pore_volumes, kind::number,
                    above_zero, "no limit", "pore volumes of fluid after which the run ends"),
+      integer_key("run.max_clogged_throats", &Case::run, &Run::max_clogged_throats, Range{0, 1e9},
+                  "clogged throats at which the run ends; 0: no limit"),
       quantity_key("run.min_permeability_ratio", &Case::run, &Run::min_permeability_ratio,
                    kind::number, above_zero, "no limit", "k/k0 at which the run ends"),
       quantity_key(

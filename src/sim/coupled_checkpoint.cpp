@@ -23,7 +23,7 @@ void for_flow(Now& now, const Visit& visit) {
 
 template <typename State, typename Visit>
 void for_counts(State& s, const Visit& visit) {
-  visit(s.solves), visit(s.cycles), visit(s.substeps);
+  visit(s.solves), visit(s.cycles), visit(s.substeps), visit(s.clogged_throats);
 }
 
 constexpr int sphere_columns = 17;

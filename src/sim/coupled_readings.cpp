@@ -120,6 +120,8 @@ std::vector<Real> take_readings(CoupledRun& run, Readings& readings) {
         run.state.readings, readings.setup, all.view(), throughput, pressures, &*readings.tables));
     readings.ids = all.id;
   });
+  const auto clogged = static_cast<Real>(run.state.readings.clogging.clogs.size());
+  run.state.clogged_throats = static_cast<Index>(run.comm().max(clogged));  // rank 0 knows
   return row;
 }
 

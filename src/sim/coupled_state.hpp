@@ -35,6 +35,7 @@ struct CoupledState {
   Index solves = 0;
   Index cycles = 0;
   Index substeps = 0;
+  Index clogged_throats = 0;             ///< at the last sample
   analysis::ReadingState readings = {};  ///< rank 0
 };
 

@@ -273,6 +273,12 @@ std::string limit_reached(const CoupledRun& run) {
   if (ratio < limits.min_permeability_ratio) {
     return fmt::format("k/k0 = {:.4g} fell below min_permeability_ratio", ratio);
   }
+  if (limits.max_clogged_throats > 0 && run.state.clogged_throats >= limits.max_clogged_throats) {
+    return fmt::format("{} clogged, as many as max_clogged_throats",
+                       run.state.clogged_throats == 1
+                           ? std::string("a throat is")
+                           : fmt::format("{} throats are", run.state.clogged_throats));
+  }
   if (run.the_case.flow.max_pressure > 0 &&
       run.now.pressure_drop > run.the_case.flow.max_pressure) {
     return fmt::format("the pump needs {:.4g} Pa, more than max_pressure", run.now.pressure_drop);

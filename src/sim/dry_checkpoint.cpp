@@ -65,6 +65,7 @@ std::vector<std::string> entries(const std::string& text) {
                                   "run.max_wall",
                                   "run.max_pore_volumes",
                                   "run.min_permeability_ratio",
+                                  "run.max_clogged_throats",
                                   "flow.max_pressure"};
   std::vector<std::string> found;
   std::string table;
