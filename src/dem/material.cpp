@@ -72,7 +72,7 @@ void MaterialTable::set_pair(int a, int b, const Friction& friction) {
 }
 
 void MaterialTable::soften(Real factor) {
-  require(factor > 0 && factor <= 1, "softening factor", factor, "must lie in (0, 1]");
+  require(factor > 0, "softening factor", factor, "must be positive");
   for (Elastic& e : species_) {
     e.young *= factor;
   }

@@ -121,7 +121,7 @@ class System {
   /// Tests: verification/dem_overdamped, mpi/dem.
   CreepReport creep(Real dt, Real allowed_approach);
 
-  /// Multiplies every modulus by factor <= 1, see softening() in step_size.hpp.
+  /// Multiplies every modulus, see softening() in step_size.hpp; above 1: takes softening back.
   void soften(Real factor);
 
   /// Tells the system that positions, radii, species or fixed flags were changed from outside.

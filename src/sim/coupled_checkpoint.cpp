@@ -13,7 +13,8 @@ namespace {
 /// Calls visit(number) for every real number of the state, in a fixed order.
 template <typename State, typename Visit>
 void for_reals(State& s, const Visit& visit) {
-  visit(s.drive_factor), visit(s.fluid_passed), visit(s.volume_in), visit(s.volume_out);
+  visit(s.stiffness), visit(s.drive_factor), visit(s.fluid_passed), visit(s.volume_in),
+      visit(s.volume_out);
 }
 
 template <typename Now, typename Visit>
@@ -23,7 +24,8 @@ void for_flow(Now& now, const Visit& visit) {
 
 template <typename State, typename Visit>
 void for_counts(State& s, const Visit& visit) {
-  visit(s.solves), visit(s.cycles), visit(s.substeps), visit(s.clogged_throats);
+  visit(s.solves), visit(s.cycles), visit(s.substeps), visit(s.stiffened);
+  visit(s.clogged_throats);
 }
 
 constexpr int sphere_columns = 17;
@@ -84,7 +86,9 @@ void go_on(CoupledRun& run, const std::string& folder) {
   const auto reals = reader.whole<Real>("coupled_reals");
   const auto counts = reader.whole<std::int64_t>("coupled_counts");
   std::size_t at = 0;
+  const Real softened = run.state.stiffness;
   for_reals(run.state, [&](Real& value) { value = reals.at(at++); });
+  run.particles.system.soften(run.state.stiffness / softened);
   for_flow(run.now, [&](Real& value) { value = reals.at(at++); });
   at = 0;
   for_counts(run.state, [&](Index& value) { value = counts.at(at++); });

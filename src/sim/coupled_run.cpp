@@ -57,6 +57,7 @@ Outcome simulate(CoupledRun& run, CoupledSink& sink, const RunCanvas& canvas,
     }
     const Real step = choose_step(run);
     move_particles(run, step);        // with the flow and against each other
+    stiffen_contacts(run);            // before overlaps reach their bound
     left = pass_openings(run, step);  // out, and in
     require_healthy(run.particles);   // overlaps within their bound
     solve_flow(run);                  // fluid and rigid particles in one system

@@ -56,6 +56,7 @@ void soften(CoupledRun& run) {
                                                radius, push, run.the_case.contact.max_overlap / 4));
   }
   run.particles.system.soften(factor);
+  run.state.stiffness = factor;
 }
 
 }  // namespace

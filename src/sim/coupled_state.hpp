@@ -35,6 +35,8 @@ struct CoupledState {
   Index solves = 0;
   Index cycles = 0;
   Index substeps = 0;
+  Real stiffness = 1;                    ///< factor on all moduli, see soften()
+  Index stiffened = 0;                   ///< how often it was raised
   Index clogged_throats = 0;             ///< at the last sample
   analysis::ReadingState readings = {};  ///< rank 0
 };
@@ -86,6 +88,10 @@ void solve_flow(CoupledRun& run);
 
 /// Moves the particles with the flow and against each other, overdamped (System::creep).
 void move_particles(CoupledRun& run, Real step);
+
+/// Contacts become twice as stiff, up to the moduli of the case, when an overlap has come near its
+/// bound: an arch presses harder than the lone fine that the run begins with in mind.
+void stiffen_contacts(CoupledRun& run);
 
 /// What left through openings, and what became due at the inlets.
 /// @return rows of those that left, for tracks.csv

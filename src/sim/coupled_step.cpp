@@ -234,6 +234,19 @@ void move_particles(CoupledRun& run, Real step) {
   run.state.fluid_passed += std::abs(run.now.flow_rate) * step;
 }
 
+void stiffen_contacts(CoupledRun& run) {
+  CoupledState& state = run.state;
+  // Each time nearer to the bound, since the largest overlap so far counts: 1/2, 0.65, 0.76, ... of it.
+  const Real near = run.the_case.contact.max_overlap *
+                    (1 - 0.5 * std::pow(0.7, static_cast<Real>(state.stiffened)));
+  if (state.stiffness < 1 && run.particles.system.largest_overlap() > near) {
+    const Real factor = std::min(2.0, 1 / state.stiffness);
+    run.particles.system.soften(factor);
+    state.stiffness *= factor;
+    ++state.stiffened;
+  }
+}
+
 namespace {
 
 Real particle_volume(const CoupledRun& run) {

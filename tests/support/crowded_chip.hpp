@@ -40,7 +40,9 @@ struct CrowdedChip {
 
 /// Nearly half of it pillars, then so many spheres of 6 cells at random.
 inline CrowdedChip crowd_chip(int width, int depth, std::size_t count) {
-  CrowdedChip chip{width, depth};
+  CrowdedChip chip;
+  chip.width = width;
+  chip.depth = depth;
   std::mt19937 numbers(7);
   const auto uniform = [&] { return std::generate_canonical<Real, 53>(numbers); };
   constexpr Real throat = 4;  // cells, at least
