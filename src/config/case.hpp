@@ -20,7 +20,7 @@ struct Run {
   Real end_time = 0;                ///< [s] simulated
   Real max_wall = 0;                ///< [s] of wall time; 0: no limit
   Real max_pore_volumes = 0;        ///< injected, after which the run ends; 0: no limit
-  int max_clogged_throats = 0;  ///< at which the run ends; 0: no limit
+  int max_clogged_throats = 0;      ///< at which the run ends; 0: no limit
   Real min_permeability_ratio = 0;  ///< k/k0 below which the run ends; 0: no limit
   friend bool operator==(const Run&, const Run&) = default;
 };
