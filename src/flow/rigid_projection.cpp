@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flow/sphere_cover.hpp"
 #include "par/gather.hpp"
 
 namespace porefines::flow {
@@ -37,58 +38,49 @@ Six solve(const SixBySix& factor, const Six& b) {
 }  // namespace
 
 /// Calls visit(row, share that is inside, velocity unknown [inner units]) for this rank's faces in the
-/// sphere and its images.
+/// sphere whose centre is given [cells from the corner of the block].
 template <typename Visit>
-void RigidProjection::for_faces(const Sphere& sphere, const Visit& visit) const {
+void RigidProjection::for_faces_at(const Vec3& centre, Real radius, const Visit& visit) const {
   const Level& level = parts_.hierarchy.finest();
   const grid::Block& b = level.block;
-  Int3 low{};
-  Int3 high{};
+  const Vec3& h = parts_.spacing;
+  Int3 first{};
+  Int3 last{};
   for (int a = 0; a < 3; ++a) {
-    low[a] = parts_.boundaries.periodic(a) ? -1 : 0;
-    high[a] = -low[a];
+    const Real cells = radius / h[a] + 0.5;
+    first[a] = std::max(0, static_cast<int>(std::floor(centre[a] - cells)));
+    last[a] = std::min(b.n[a], static_cast<int>(std::ceil(centre[a] + cells)));
   }
-  Int3 image{};
-  for (image[2] = low[2]; image[2] <= high[2]; ++image[2]) {
-    for (image[1] = low[1]; image[1] <= high[1]; ++image[1]) {
-      for (image[0] = low[0]; image[0] <= high[0]; ++image[0]) {
-        Vec3 centre;  // [cells] from the corner of the block
-        Int3 first{};
-        Int3 last{};
-        bool near = true;
-        for (int a = 0; a < 3; ++a) {
-          const Real cells = sphere.radius / parts_.spacing[a] + 0.5;
-          centre[a] = sphere.position[a] / parts_.spacing[a] + image[a] * b.global[a] - b.start[a];
-          first[a] = std::max(0, static_cast<int>(std::floor(centre[a] - cells)));
-          last[a] = std::min(b.n[a], static_cast<int>(std::ceil(centre[a] + cells)));
-          near = near && first[a] <= last[a];
-        }
-        if (!near) {
-          continue;
-        }
-        for (int c = 0; c < 3; ++c) {
-          Int3 index{};
-          for (index[2] = first[2]; index[2] <= last[2]; ++index[2]) {
-            for (index[1] = first[1]; index[1] <= last[1]; ++index[1]) {
-              for (index[0] = first[0]; index[0] <= last[0]; ++index[0]) {
-                Vec3 arm;  // [m]
-                for (int a = 0; a < 3; ++a) {
-                  arm[a] = (index[a] + (a == c ? 0.0 : 0.5) - centre[a]) * parts_.spacing[a];
-                }
-                const std::ptrdiff_t at = b.at(index[0], index[1], index[2]);
-                const Real share =
-                    std::clamp(0.5 + (sphere.radius - norm(arm)) / parts_.spacing.x, 0.0, 1.0);
-                if (share > 0 && level.owns(c, index) && level.inverse_diagonal[c][at] != 0) {
-                  visit(row_of(c, arm), share,
-                        parts_.unknowns[parts_.equations.position(c, index)]);
-                }
-              }
-            }
-          }
-        }
+  for (int c = 0; c < 3; ++c) {
+    for_window(first, last, [&](const Int3& index) {
+      Vec3 arm;  // [m]
+      for (int a = 0; a < 3; ++a) {
+        arm[a] = (index[a] + (a == c ? 0.0 : 0.5) - centre[a]) * h[a];
       }
-    }
+      const std::ptrdiff_t at = b.at(index[0], index[1], index[2]);
+      const Real share = std::clamp(0.5 + (radius - norm(arm)) / h.x, 0.0, 1.0);
+      if (share > 0 && level.owns(c, index) && level.inverse_diagonal[c][at] != 0) {
+        visit(row_of(c, arm), share, parts_.unknowns[parts_.equations.position(c, index)]);
+      }
+    });
   }
+}
+
+/// The same for a sphere and its periodic images.
+template <typename Visit>
+void RigidProjection::for_faces(const Sphere& sphere, const Visit& visit) const {
+  const grid::Block& b = parts_.hierarchy.finest().block;
+  Int3 wraps{};
+  for (int a = 0; a < 3; ++a) {
+    wraps[a] = parts_.boundaries.periodic(a) ? 1 : 0;
+  }
+  for_window({-wraps[0], -wraps[1], -wraps[2]}, wraps, [&](const Int3& image) {
+    Vec3 centre;
+    for (int a = 0; a < 3; ++a) {
+      centre[a] = sphere.position[a] / parts_.spacing[a] + image[a] * b.global[a] - b.start[a];
+    }
+    for_faces_at(centre, sphere.radius, visit);
+  });
 }
 
 /// Cholesky factors of sum r r^T over the faces of each sphere: its masses and moments in faces.

@@ -40,6 +40,8 @@ class RigidProjection {
  private:
   template <typename Visit>
   void for_faces(const Sphere& sphere, const Visit& visit) const;
+  template <typename Visit>
+  void for_faces_at(const Vec3& centre, Real radius, const Visit& visit) const;
   [[nodiscard]] std::vector<SixBySix> gather_moments(const std::vector<Sphere>& all) const;
   void kick(Real step, const std::vector<Sphere>& all, const std::vector<SixBySix>& factors);
   [[nodiscard]] std::vector<Six> fit(const std::vector<Sphere>& all,
