@@ -2,7 +2,7 @@
 # Format, layers, and clang-tidy, the files that changed last first (a header counts as its .cpp, or
 # as one that includes it).
 #   tools/lint.sh        every rule of .clang-tidy on every file: about 10 s each
-#   tools/lint.sh 16 64  every rule on 16 files, on 64 more those that find mistakes cheaply, about
+#   tools/lint.sh 10 40  every rule on 10 files, on 40 more those that find mistakes cheaply, about
 #                        3 s each: numbers, not seconds, so that it covers the same on any machine
 set -euo pipefail
 cd "$(dirname "$0")/.."
