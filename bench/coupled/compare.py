@@ -16,6 +16,7 @@ import cases
 import measured
 import piso
 import pore_image
+import porefines_run
 from setting import Setting
 
 SUBSTEPS = 20
@@ -37,56 +38,20 @@ def liggghts_substeps(folder: pathlib.Path, count: int) -> float:
     steps = 20000
     data = folder / "spheres.data"
     cases.box(data, count, 0.1)
-    (folder / "in.box").write_text(f"""atom_style granular
-atom_modify map array
-boundary p p p
-newton off
-communicate single vel yes
-units si
-read_data {data.resolve()}
-neighbor 0.5e-6 bin
-neigh_modify delay 0
-fix m1 all property/global youngsModulus peratomtype 5.e6
-fix m2 all property/global poissonsRatio peratomtype 0.45
-fix m3 all property/global coefficientRestitution peratomtypepair 1 0.9
-fix m4 all property/global coefficientFriction peratomtypepair 1 0.5
-pair_style gran model hertz tangential history
-pair_coeff * *
-timestep 2.0e-8
-fix i all nve/sphere
-run {steps}
-""")
+    (folder / "in.box").write_text(cases.INPUT.format(
+        boundary="p p p", data=data.resolve(), extra="", warm=0, steps=steps))
     done = subprocess.run(["liggghts", "-in", "in.box"], cwd=folder, capture_output=True, text=True,
                           check=True)
-    loop = float(re.search(r"Loop time of ([\d.e+-]+)", done.stdout)[1])
+    loop = float(re.findall(r"Loop time of ([\d.e+-]+)", done.stdout)[-1])
     return loop / steps * SUBSTEPS
 
 
 def porefines_case(folder: pathlib.Path, pore, s: Setting, diameter: float, count: int) -> None:
-    folder.mkdir(parents=True, exist_ok=True)
-    pore_image.write(pore, folder / "pore.png")
-    (folder / "case.toml").write_text(f"""[run]
+    case = porefines_run.write_case(folder, pore, s)
+    text = case.read_text().split("\n", 1)[1]  # its first line asks for no output
+    case.write_text(f"""{text}
+[run]
 end_time = "1 s"
-
-[geometry]
-source     = "pore.png"
-pixel_size = "{1e6 * s.pixel:.9g} um"
-depth      = "{1e6 * s.depth:.9g} um"
-surface    = "voxel"
-
-[grid]
-cell_size = "{1e6 * s.pixel:.9g} um"
-
-[fluid]
-density   = "{s.density} kg/m^3"
-viscosity = "{s.density * s.kinematic_viscosity} Pa s"
-
-[flow]
-inlet     = {{ face = "x-", pressure = "{s.density * s.kinematic_drop} Pa" }}
-outlet    = {{ face = "x+", pressure = "0 Pa" }}
-walls     = ["z-", "z+"]
-slip      = ["y-", "y+"]
-reservoir = "0 um"
 
 [[particles]]
 diameter = "{1e6 * diameter:.9g} um"
@@ -98,7 +63,7 @@ every = "1 s"
 """)
 
 
-def porefines_run(program: str, folder: pathlib.Path, end: float,
+def run_porefines(program: str, folder: pathlib.Path, end: float,
                   travel: float = 0.5) -> tuple[float, dict]:
     """CPU seconds and summary of a run to `end` [s]."""
     out = folder / "out"
@@ -127,13 +92,13 @@ def compare(args: argparse.Namespace) -> None:
           f"{SUBSTEPS} substeps {contacts:.2g} s = {theirs:.3f} s of CPU")
 
     porefines_case(folder / "porefines", pore, s, diameter, args.particles)
-    _, first = porefines_run(program, folder / "porefines", 1e-9)
+    _, first = run_porefines(program, folder / "porefines", 1e-9)
     volume = cells * s.pixel**3
     turnover = volume / first["flow_rate_m3_s"]  # [s] of one pore volume
     print(f"a pore volume takes {turnover:.3g} s; with the thesis's steps {turnover / step * theirs:.3g} s of CPU")
     for travel in (0.5, 1):  # cells a step: places right to 0.007 and 0.02 cells after 11 cells of way
-        short, a = porefines_run(program, folder / "porefines", 0.02 * turnover, travel)
-        longer, b = porefines_run(program, folder / "porefines", 0.06 * turnover, travel)
+        short, a = run_porefines(program, folder / "porefines", 0.02 * turnover, travel)
+        longer, b = run_porefines(program, folder / "porefines", 0.06 * turnover, travel)
         ours = (longer - short) / (b["steps"] - a["steps"])
         our_step = (b["time_s"] - a["time_s"]) / (b["steps"] - a["steps"])
         print(f"\nporefines, {travel} cells a step = {our_step:.2g} s: {ours:.3f} s of CPU a step, "

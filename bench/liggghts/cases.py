@@ -4,6 +4,31 @@ import numpy as np
 
 DIAMETER, DENSITY = 5e-6, 1050.0
 
+INPUT = """atom_style granular
+atom_modify map array
+boundary {boundary}
+newton off
+communicate single vel yes
+units si
+read_data {data}
+neighbor 0.5e-6 bin
+neigh_modify delay 0
+fix m1 all property/global youngsModulus peratomtype 5.e6
+fix m2 all property/global poissonsRatio peratomtype 0.45
+fix m3 all property/global coefficientRestitution peratomtypepair 1 0.9
+fix m4 all property/global coefficientFriction peratomtypepair 1 0.5
+pair_style gran model hertz tangential history
+pair_coeff * *
+timestep 2.0e-8
+{extra}
+fix i all nve/sphere
+thermo 1000000
+thermo_style custom step atoms ke cpu
+thermo_modify lost error norm no
+run {warm}
+run {steps}
+"""
+
 
 def write_data(name, low, high, position, seed):
     """LIGGGHTS data file: box, spheres, velocities of 5 mm/s root mean square per component."""

@@ -13,30 +13,6 @@ import tempfile
 
 import cases
 
-COMMON = """atom_style granular
-atom_modify map array
-boundary {boundary}
-newton off
-communicate single vel yes
-units si
-read_data {data}
-neighbor 0.5e-6 bin
-neigh_modify delay 0
-fix m1 all property/global youngsModulus peratomtype 5.e6
-fix m2 all property/global poissonsRatio peratomtype 0.45
-fix m3 all property/global coefficientRestitution peratomtypepair 1 0.9
-fix m4 all property/global coefficientFriction peratomtypepair 1 0.5
-pair_style gran model hertz tangential history
-pair_coeff * *
-timestep 2.0e-8
-{extra}
-fix i all nve/sphere
-thermo 1000000
-thermo_style custom step atoms ke cpu
-thermo_modify lost error norm no
-run {warm}
-run {steps}
-"""
 WALL = "fix {name} all wall/gran model hertz tangential history primitive type 1 {axis}plane {at}\n"
 
 
@@ -92,7 +68,7 @@ def main():
             mode = "periodic" if kind == "box" else "settling"
             extra, boundary = ("", "p p p") if kind == "box" else (settling(side), "p p f")
         script = folder / f"{case}.in"
-        script.write_text(COMMON.format(boundary=boundary, data=data, extra=extra, warm=warm, steps=steps))
+        script.write_text(cases.INPUT.format(boundary=boundary, data=data, extra=extra, warm=warm, steps=steps))
         for ranks in map(int, given.ranks.split()):
             work = int(count) * steps * 1e-6
             total = int(count) * (steps + warm) * 1e-6

@@ -3,23 +3,11 @@
 
 #include <cmath>
 
+#include "flow/links.hpp"
+
 namespace porefines::flow {
 
 namespace {
-
-/// May a face of component c, or a cell (c = 3), at this place along an axis hold an unknown?
-bool exists(const Level& level, const Boundaries& boundaries, int c, int axis, int local) {
-  if (boundaries.periodic(axis)) {
-    return true;
-  }
-  const int here = local + level.block.start[axis];
-  const int total = level.block.global[axis];
-  if (axis != c) {
-    return here >= 0 && here < total;
-  }
-  return here >= (boundaries.open(axis, false) ? 0 : 1) &&
-         here <= (boundaries.open(axis, true) ? total : total - 1);
-}
 
 /// Friction that box walls add to a face: see link_to_surface.
 Real box_friction(const Level& level, const Boundaries& boundaries, int c, const Int3& index) {
@@ -46,14 +34,9 @@ Real box_friction(const Level& level, const Boundaries& boundaries, int c, const
 BodyForces::BodyForces(InertialFlow& flow, StokesSolver& solver,
                        const std::function<int(const Vec3&)>& body_of, int bodies)
     : flow_(flow), parts_(solver.parts()), level_(parts_.hierarchy.finest()), bodies_(bodies) {
-  const grid::Block& b = level_.block;
   parts_.equations.for_each([&](int c, int i, int j, int k, std::size_t at) {
     const Int3 index{i, j, k};
-    Vec3 x;
-    for (int a = 0; a < 3; ++a) {
-      x[a] = (index[a] + b.start[a] + (a == c ? 0.0 : 0.5)) * parts_.spacing[a];
-    }
-    const int body = body_of(x);
+    const int body = body_of(parts_.place(c, index));
     if (body >= 0 && c < 3) {
       add_face(parts_.boundaries, c, index, body);
     } else if (body >= 0) {
@@ -71,7 +54,7 @@ void BodyForces::add_face(const Boundaries& boundaries, int c, const Int3& index
     const std::size_t here = index[t] + axis.offset;
     for (const bool high : {false, true}) {
       const std::ptrdiff_t s = high ? b.stride(t) : -b.stride(t);
-      const bool closed = exists(level_, boundaries, c, t, index[t] + (high ? 1 : -1)) &&
+      const bool closed = exists(level_.block, boundaries, c, t, index[t] + (high ? 1 : -1)) &&
                           level_.inverse_diagonal[c][at + s] == 0;
       if (!closed) {
         continue;
@@ -100,7 +83,7 @@ void BodyForces::add_cell(const Boundaries& boundaries, const Int3& index, std::
       return level_.inverse_diagonal[a][face] != 0 ? Real{level_.weight[a][face]} : 0.0;
     };
     const auto there = [&](bool high) {
-      return exists(level_, boundaries, a, a, index[a] + (high ? 1 : 0));
+      return exists(level_.block, boundaries, a, a, index[a] + (high ? 1 : 0));
     };
     const auto share = [&](bool high) {  // a wall of the box: as open as the other side
       return there(high) ? weight(high) : there(!high) && weight(!high) > 0 ? weight(!high) : 1.0;

@@ -69,15 +69,6 @@ class BridgeSearch {
       }
     }
   }
-  [[nodiscard]] Int3 cell_of(std::int32_t at) const {
-    const grid::Block& b = level_.block;
-    const std::ptrdiff_t first = b.at(-b.ghost[0], -b.ghost[1], -b.ghost[2]);
-    const std::ptrdiff_t from = at - first;
-    return {static_cast<int>(from % b.sy) - b.ghost[0],
-            static_cast<int>(from % b.sz / b.sy) - b.ghost[1],
-            static_cast<int>(from / b.sz) - b.ghost[2]};
-  }
-  /// The face itself, not its copy behind a periodic border.
   [[nodiscard]] std::ptrdiff_t face_of(const Int3& cell, int direction) const {
     const int a = direction / 2;
     Int3 face = cell;
@@ -93,7 +84,7 @@ class BridgeSearch {
     if ((open_[at] & at_border) == 0) {
       return at + ahead * static_cast<std::int32_t>(b.stride(a));
     }
-    Int3 cell = cell_of(at);
+    Int3 cell = level_.block.index_of(at);
     cell[a] += ahead;
     if (wraps_[a]) {
       cell[a] = (cell[a] + b.n[a]) % b.n[a];
@@ -139,7 +130,7 @@ class BridgeSearch {
     Mark& before = mark_[path_.back().at];
     before.low = std::min(before.low, mark_[done.at].low);
     if (mark_[done.at].low > before.order) {
-      close(cell_of(done.at), done.entered);
+      close(level_.block.index_of(done.at), done.entered);
     }
   }
   void close(const Int3& cell, int direction) {

@@ -3,25 +3,6 @@
 
 namespace porefines::flow {
 
-namespace {
-
-/// Calls visit(position) for the faces or cells of one layer normal to `axis`, ghosts included.
-template <typename Visit>
-void for_layer(const grid::Block& b, int axis, int layer, const Visit& visit) {
-  Int3 first{-b.ghost[0], -b.ghost[1], -b.ghost[2]};
-  Int3 last{b.n[0] + b.ghost[0], b.n[1] + b.ghost[1], b.n[2] + b.ghost[2]};
-  first[axis] = last[axis] = layer;
-  for (int k = first[2]; k <= last[2]; ++k) {
-    for (int j = first[1]; j <= last[1]; ++j) {
-      for (int i = first[0]; i <= last[0]; ++i) {
-        visit(b.at(i, j, k));
-      }
-    }
-  }
-}
-
-}  // namespace
-
 FaceVelocity::FaceVelocity(const Level& level, const Boundaries& boundaries)
     : boundaries_(boundaries), pad_(2 * level.block.sz + grid::line_width) {
   for (Floats& field : field_) {
@@ -64,7 +45,7 @@ void FaceVelocity::fill_side(const Level& level, int axis, bool high,
   if (kind == FaceKind::velocity) {
     const auto value = static_cast<float>(inlet[2 * axis + (high ? 1 : 0)]);
     const auto& inverse = level.inverse_diagonal[axis];
-    for_layer(b, axis, boundary, [&](std::ptrdiff_t at) {
+    grid::for_layer(b, axis, boundary, [&](std::ptrdiff_t at) {
       data(axis)[at] = inverse[at + (high ? -s : s)] != 0 ? value : 0.0F;
     });
   }
@@ -81,7 +62,7 @@ void FaceVelocity::fill_side(const Level& level, int axis, bool high,
     float* u = data(c);
     const std::ptrdiff_t sc = b.stride(c);
     const std::ptrdiff_t face = high ? 0 : s;  // from the cell beyond to the box face
-    for_layer(b, axis, high ? b.n[axis] : -1, [&](std::ptrdiff_t at) {
+    grid::for_layer(b, axis, high ? b.n[axis] : -1, [&](std::ptrdiff_t at) {
       const float inside = u[at + inwards];
       if (kind != FaceKind::outflow) {
         u[at] = -inside;

@@ -239,12 +239,6 @@ void clear_unknowns(Level& level) {
   std::fill(level.p.begin(), level.p.end(), 0.0F);
 }
 
-void exchange_sides(Level& level) {
-  const std::array<float*, 4> sides{level.f[0].data(), level.f[1].data(), level.f[2].data(),
-                                    level.g.data()};
-  level.halo.exchange(sides, sweep_depth);
-}
-
 /// @param load_sides  of the finest level, as for cycle()
 /// @param spheres     of the finest level; nullptr below it
 void visit(Hierarchy& hierarchy, int l, bool from_zero, const std::function<void()>& load_sides,
@@ -252,7 +246,7 @@ void visit(Hierarchy& hierarchy, int l, bool from_zero, const std::function<void
   Level& level = hierarchy.level(l);
   if (from_zero) {
     clear_unknowns(level);
-    exchange_sides(level);
+    level.exchange_sides(sweep_depth);
   }
   if (l + 1 == hierarchy.size()) {
     smooth(level, coarsest_sweeps, false, from_zero, spheres);
@@ -266,7 +260,7 @@ void visit(Hierarchy& hierarchy, int l, bool from_zero, const std::function<void
   hierarchy.transfer(l).restrict_residual(level, hierarchy.level(l + 1));
   if (level.lends_sides) {
     load_sides();
-    exchange_sides(level);
+    level.exchange_sides(sweep_depth);
   }
   visit(hierarchy, l + 1, true, {}, nullptr);
   visit(hierarchy, l + 1, false, {}, nullptr);

@@ -57,33 +57,19 @@ void InertialFlow::weigh_inlets() {
       if (!mine || parts_.boundaries.at(a, high) != FaceKind::velocity) {
         continue;
       }
-      Int3 first{-b.ghost[0], -b.ghost[1], -b.ghost[2]};
-      Int3 last{b.n[0] + b.ghost[0], b.n[1] + b.ghost[1], b.n[2] + b.ghost[2]};
-      first[a] = last[a] = high ? b.n[a] : 0;
-      for (int k = first[2]; k <= last[2]; ++k) {
-        for (int j = first[1]; j <= last[1]; ++j) {
-          for (int i = first[0]; i <= last[0]; ++i) {
-            level.weight[a][b.at(i, j, k)] = 1;
-          }
-        }
-      }
+      grid::for_layer(b, a, high ? b.n[a] : 0, [&](std::ptrdiff_t at) { level.weight[a][at] = 1; });
     }
   }
 }
 
 Real InertialFlow::velocity_unit() const {
-  return parts_.scale * parts_.spacing.x * parts_.spacing.x / parts_.viscosity;
+  return parts_.velocity_unit();
 }
 
 void InertialFlow::set_velocity(const std::function<Vec3(const Vec3&)>& velocity) {
-  const grid::Block& b = parts_.hierarchy.finest().block;
   const Real unit = velocity_unit();
   parts_.equations.for_each([&](int c, int i, int j, int k, std::size_t at) {
-    const Int3 index{i, j, k};
-    Vec3 x;
-    for (int a = 0; a < 3; ++a) {
-      x[a] = (index[a] + b.start[a] + (a == c ? 0.0 : 0.5)) * parts_.spacing[a];
-    }
+    const Vec3 x = parts_.place(c, {i, j, k});
     parts_.unknowns[at] = c < 3 ? velocity(x)[c] / unit : 0;
   });
   states_ = 1;
@@ -277,15 +263,13 @@ InertialFlow::SteadyReport InertialFlow::settle(const Drive& drive, const StepOp
   constexpr int hard = 40;  // of one that must shrink
   SteadyReport report;
   scheme_in_time_ = TimeScheme::euler;
-  StepOptions rough = options;
-  rough.tolerance = options.tolerance;
   Real courant = 1;
   while (report.steps < max_steps && !report.converged) {
     const Real rate = crossing_rate();
     const Real step = rate > 0 ? courant / rate
                                : density_ * parts_.spacing.x * parts_.spacing.x / parts_.viscosity;
     states_ = 1;  // no extrapolation: it would undo the damping
-    const StepReport one = advance(step, drive, rough);
+    const StepReport one = advance(step, drive, options);
     report.cycles += one.cycles;
     ++report.steps;
     report.residual = change() / step / crossing_rate();

@@ -98,14 +98,7 @@ void InertialFlow::place_spheres(const std::array<Real, 3>& a, Real ratio) {
   take_pressure(vacated_);
   take_pressure(all.cover().covered_cells());
   solver_.drive_on_ = all.take_drive(rows_);
-  rows_.resize(op.size(), 0.0F);
-  for (std::size_t q = 0; q < all.set().owned(); ++q) {
-    Six force = sum_of(solver_.drive_on_[q], all.set().balls()[q].force);
-    all.scale_force(q, force);
-    for (std::size_t i = 0; i < 6; ++i) {
-      rows_[fluid + RigidSpheres::tail_of(q) + i] = static_cast<float>(force[i]);
-    }
-  }
+  all.put_forces(rows_, solver_.drive_on_);
   for (Packed<double>* v : {&r_, &image_}) {
     v->assign(op.size(), 0.0);
   }
@@ -128,9 +121,6 @@ void InertialFlow::find_motions() {
   op.apply(image_);
   all.load_motion(x.data() + fluid);
   std::vector<Past> now;
-  const Real unit = velocity_unit();
-  const Vec3& h = parts_.spacing;
-  const Real force_unit = parts_.scale * h.x * h.y * h.z;
   for (std::size_t q = 0; q < all.set().owned(); ++q) {
     const Ball& ball = all.set().balls()[q];
     const Six v = all.motion()[q];
@@ -138,12 +128,7 @@ void InertialFlow::find_motions() {
     for (std::size_t i = 0; i < 6 && !ball.held; ++i) {
       f[i] += (i < 3 ? ball.mass : ball.moment) * v[i];
     }
-    SphereMotion m;
-    m.velocity = unit * Vec3{v[0], v[1], v[2]};
-    m.spin = unit / h.x * Vec3{v[3], v[4], v[5]};
-    m.force = force_unit * Vec3{f[0], f[1], f[2]};
-    m.torque = force_unit * h.x * Vec3{f[3], f[4], f[5]};
-    found_.push_back(m);
+    found_.push_back(solver_.in_si(v, f));
     now.push_back({ball.id, v, past_of(solver_.given_[q]).now});
   }
   past_ = now;

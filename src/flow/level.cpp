@@ -54,6 +54,11 @@ void Level::exchange_unknowns(int depth) {
   halo.exchange(fields, depth);
 }
 
+void Level::exchange_sides(int depth) {
+  const std::array<float*, 4> sides{f[0].data(), f[1].data(), f[2].data(), g.data()};
+  halo.exchange(sides, depth);
+}
+
 namespace {
 
 void find_active_lines(Level& level) {

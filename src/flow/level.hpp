@@ -90,6 +90,7 @@ struct Level {
 
   /// Exchanges ghosts of u and p.
   void exchange_unknowns(int depth);
+  void exchange_sides(int depth);  ///< f and g
 };
 
 /// Calls work(x) for every active line of row (j, k), x being the local index of its first cell.

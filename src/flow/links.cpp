@@ -10,6 +10,21 @@
 
 namespace porefines::flow {
 
+bool exists(const grid::Block& block, const Boundaries& boundaries, int component, int axis,
+            int local) {
+  if (boundaries.periodic(axis)) {
+    return true;
+  }
+  const int here = local + block.start[axis];
+  const int total = block.global[axis];
+  if (axis != component) {
+    return here >= 0 && here < total;
+  }
+  const int first = boundaries.open(axis, false) ? 0 : 1;
+  const int last = boundaries.open(axis, true) ? total : total - 1;
+  return here >= first && here <= last;
+}
+
 namespace {
 
 constexpr Real shortest_link = 0.02;  ///< cells
@@ -29,28 +44,13 @@ class Faces {
     }
   }
 
-  /// Global index range along an axis that may hold an unknown: no faces on or beyond closed ends.
   [[nodiscard]] bool exists(int axis, int local) const {
-    if (boundaries_.periodic(axis)) {
-      return true;
-    }
-    const int here = local + level_.block.start[axis];
-    const int total = level_.block.global[axis];
-    if (axis != component_) {
-      return here >= 0 && here < total;
-    }
-    const int first = boundaries_.open(axis, false) ? 0 : 1;
-    const int last = boundaries_.open(axis, true) ? total : total - 1;
-    return here >= first && here <= last;
+    return flow::exists(level_.block, boundaries_, component_, axis, local);
   }
 
   [[nodiscard]] Vec3 centre(int i, int j, int k) const {
-    const Int3 index{i, j, k};
-    Vec3 x;
-    for (int a = 0; a < 3; ++a) {
-      x[a] = (index[a] + level_.block.start[a] + (a == component_ ? 0.0 : 0.5)) * spacing_[a];
-    }
-    return x;
+    const Vec3 x = level_.block.centre(component_, {i, j, k});
+    return {x.x * spacing_.x, x.y * spacing_.y, x.z * spacing_.z};
   }
 
   template <typename Visit>

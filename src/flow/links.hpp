@@ -22,6 +22,11 @@ struct Friction {
   Floats3 excess;
 };
 
+/// May a face of an axis (component 0, 1, 2), or a cell (3), at this local index along `axis` hold an
+/// unknown? No faces on or beyond closed ends, no cells outside.
+[[nodiscard]] bool exists(const grid::Block& block, const Boundaries& boundaries, int component,
+                          int axis, int local);
+
 /// Weighted links to a smooth grain surface (algorithm.md section 3), for every face of the level
 /// (ghosts too).
 ///

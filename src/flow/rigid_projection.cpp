@@ -4,31 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "flow/sphere_cover.hpp"
 #include "par/gather.hpp"
 
 namespace porefines::flow {
 
 namespace {
-
-/// (r x e_c, behind e_c): how much of each of the six motions a face has.
-Six row_of(int component, const Vec3& arm) {
-  Six row{};
-  const int a = (component + 1) % 3;
-  const int b = (component + 2) % 3;
-  row[static_cast<std::size_t>(component)] = 1;
-  row[static_cast<std::size_t>(3 + a)] = arm[b];
-  row[static_cast<std::size_t>(3 + b)] = -arm[a];
-  return row;
-}
-
-Real dot(const Six& a, const Six& b) {
-  Real sum = 0;
-  for (std::size_t x = 0; x < a.size(); ++x) {
-    sum += a[x] * b[x];
-  }
-  return sum;
-}
 
 /// L^-T L^-1 b of the moments' Cholesky factor.
 Six solve(const SixBySix& factor, const Six& b) {
@@ -52,7 +32,7 @@ void RigidProjection::for_faces_at(const Vec3& centre, Real radius, const Visit&
     last[a] = std::min(b.n[a], static_cast<int>(std::ceil(centre[a] + cells)));
   }
   for (int c = 0; c < 3; ++c) {
-    for_window(first, last, [&](const Int3& index) {
+    grid::for_window(first, last, [&](const Int3& index) {
       Vec3 arm;  // [m]
       for (int a = 0; a < 3; ++a) {
         arm[a] = (index[a] + (a == c ? 0.0 : 0.5) - centre[a]) * h[a];
@@ -74,7 +54,7 @@ void RigidProjection::for_faces(const Sphere& sphere, const Visit& visit) const 
   for (int a = 0; a < 3; ++a) {
     wraps[a] = parts_.boundaries.periodic(a) ? 1 : 0;
   }
-  for_window({-wraps[0], -wraps[1], -wraps[2]}, wraps, [&](const Int3& image) {
+  grid::for_window({-wraps[0], -wraps[1], -wraps[2]}, wraps, [&](const Int3& image) {
     Vec3 centre;
     for (int a = 0; a < 3; ++a) {
       centre[a] = sphere.position[a] / parts_.spacing[a] + image[a] * b.global[a] - b.start[a];
@@ -105,7 +85,7 @@ std::vector<SixBySix> RigidProjection::gather_moments(const std::vector<Sphere>&
 void RigidProjection::kick(Real step, const std::vector<Sphere>& all,
                            const std::vector<SixBySix>& factors) {
   const Vec3& h = parts_.spacing;
-  const Real unit = parts_.scale * h.x * h.x / parts_.viscosity;
+  const Real unit = parts_.velocity_unit();
   const Real face_mass = density_ * h.x * h.y * h.z;
   for (std::size_t q = 0; q < all.size(); ++q) {
     const Sphere& s = all[q];
@@ -119,7 +99,7 @@ void RigidProjection::kick(Real step, const std::vector<Sphere>& all,
 
 std::vector<Six> RigidProjection::fit(const std::vector<Sphere>& all,
                                       const std::vector<SixBySix>& factors) const {
-  const Real unit = parts_.scale * parts_.spacing.x * parts_.spacing.x / parts_.viscosity;
+  const Real unit = parts_.velocity_unit();
   std::vector<Real> sums(6 * all.size(), 0);
   for (std::size_t q = 0; q < all.size(); ++q) {
     for_faces(all[q], [&](const Six& row, Real share, const double& u) {
@@ -141,7 +121,7 @@ std::vector<Six> RigidProjection::fit(const std::vector<Sphere>& all,
 }
 
 void RigidProjection::put(const std::vector<Sphere>& all, const std::vector<Six>& motions) {
-  const Real unit = parts_.scale * parts_.spacing.x * parts_.spacing.x / parts_.viscosity;
+  const Real unit = parts_.velocity_unit();
   for (std::size_t q = 0; q < all.size(); ++q) {
     for_faces(all[q], [&](const Six& row, Real share, double& u) {
       u += share * (dot(row, motions[q]) / unit - u);

@@ -311,6 +311,17 @@ std::vector<Six> RigidSpheres::take_drive(Packed<float>& b) {
   return sums;
 }
 
+void RigidSpheres::put_forces(Packed<float>& b, const std::vector<Six>& drive) const {
+  b.resize(op_.size(), 0.0F);
+  for (std::size_t q = 0; q < set_.owned(); ++q) {
+    Six force = sum_of(drive[q], set_.balls()[q].force);
+    scale_force(q, force);
+    for (std::size_t x = 0; x < 6; ++x) {
+      b[op_.fluid_size() + tail_of(q) + x] = static_cast<float>(force[x]);
+    }
+  }
+}
+
 std::vector<Six> RigidSpheres::contact_forces() {
   std::vector<Six> forces(set_.size(), Six{});
   for (const Lubrication& gap : gaps_) {

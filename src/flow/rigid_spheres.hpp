@@ -60,6 +60,9 @@ class RigidSpheres {
   void apply(T* fluid, T* tail);
   /// F -> F/L of an owned ball's row; zero where it is held.
   void scale_force(std::size_t ball, Six& force) const;
+  /// Rows of the owned balls in a right-hand side whose fluid part is there: their force and the drive on
+  /// them, see take_drive().
+  void put_forces(Packed<float>& b, const std::vector<Six>& drive) const;
   /// Takes out what a right-hand side holds on covered faces and cells.
   /// @return sum r b over covered faces: the drive on each held ball
   [[nodiscard]] std::vector<Six> take_drive(Packed<float>& b);

@@ -19,6 +19,23 @@ using SixBySix = std::array<Real, 36>;
   }
   return a;
 }
+[[nodiscard]] inline Real dot(const Six& a, const Six& b) {
+  Real sum = 0;
+  for (std::size_t x = 0; x < a.size(); ++x) {
+    sum += a[x] * b[x];
+  }
+  return sum;
+}
+/// How much of each motion (U, omega) a velocity component has at `arm` from the centre: U + omega x arm.
+[[nodiscard]] inline Six row_of(int component, const Vec3& arm) {
+  Six row{};
+  const int a = (component + 1) % 3;
+  const int b = (component + 2) % 3;
+  row[static_cast<std::size_t>(component)] = 1;
+  row[static_cast<std::size_t>(3 + a)] = arm[b];
+  row[static_cast<std::size_t>(3 + b)] = -arm[a];
+  return row;
+}
 [[nodiscard]] Six times(const SixBySix& a, const Six& x);
 
 /// L of a symmetric positive matrix A = L L^T. A semi-definite one (a sphere almost outside the grid)

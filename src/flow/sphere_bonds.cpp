@@ -17,9 +17,7 @@ constexpr int most = 40;
 Real RigidSpheres::dot_owned(const std::vector<Six>& a, const std::vector<Six>& b) const {
   Real sum = 0;
   for (std::size_t ball = 0; ball < set_.owned(); ++ball) {
-    for (std::size_t x = 0; x < 6; ++x) {
-      sum += a[ball][x] * b[ball][x];
-    }
+    sum += dot(a[ball], b[ball]);
   }
   return comm_.sum(sum);
 }

@@ -53,11 +53,7 @@ void SphereCover::place(const SphereSet& set) {
 }
 
 Int3 SphereCover::index_of(std::uint32_t at) const {
-  const grid::Block& b = level_.block;
-  const std::ptrdiff_t from = at - b.at(-b.ghost[0], -b.ghost[1], -b.ghost[2]);
-  const std::ptrdiff_t row = from % b.sz;
-  return {static_cast<int>(row % b.sy) - b.ghost[0], static_cast<int>(row / b.sy) - b.ghost[1],
-          static_cast<int>(from / b.sz) - b.ghost[2]};
+  return level_.block.index_of(at);
 }
 
 float SphereCover::volume_of(int component, const Int3& index) const {
@@ -78,10 +74,10 @@ bool SphereCover::is_inside(const Int3& index) const {
 }
 
 Vec3 SphereCover::arm_of(int component, const Int3& index, const Vec3& centre) const {
+  const Vec3 place = level_.block.centre(component, index);
   Vec3 arm;
   for (int a = 0; a < 3; ++a) {
-    const Real place = index[a] + level_.block.start[a] + (a == component ? 0.0 : 0.5);
-    arm[a] = place * spacing_[a] - centre[a];
+    arm[a] = place[a] * spacing_[a] - centre[a];
   }
   return arm;
 }
@@ -125,7 +121,7 @@ void SphereCover::cover(const SphereSet& set, int image) {
     return depth > its || (depth == its && set.balls()[here.ball].id < set.balls()[q.ball].id);
   };
   for (int c = 0; c < 3; ++c) {
-    for_window(w.first, w.last, [&](const Int3& index) {
+    grid::for_window(w.first, w.last, [&](const Int3& index) {
       const auto at = static_cast<std::uint32_t>(level_.block.at(index[0], index[1], index[2]));
       const std::int32_t owner = owner_[c][at];
       if (owner == 0 && level_.inverse_diagonal[c][at] == 0) {
@@ -149,7 +145,7 @@ void SphereCover::list_faces(const SphereSet& set, int image) {
   // Closed pockets reach a little beyond the sphere.
   const Window w = window(here, set.balls()[here.ball].radius, 4);
   for (int c = 0; c < 3; ++c) {
-    for_window(w.first, w.last, [&](const Int3& index) {
+    grid::for_window(w.first, w.last, [&](const Int3& index) {
       const auto at = static_cast<std::uint32_t>(level_.block.at(index[0], index[1], index[2]));
       if (owner_[c][at] != image + 1) {
         return;
@@ -165,7 +161,7 @@ void SphereCover::link(const SphereSet& set, int image) {
   const Real radius = set.balls()[here.ball].radius;
   const Window w = window(here, radius, 2);
   for (int c = 0; c < 3; ++c) {
-    for_window(w.first, w.last, [&](const Int3& index) {
+    grid::for_window(w.first, w.last, [&](const Int3& index) {
       const auto at = static_cast<std::uint32_t>(level_.block.at(index[0], index[1], index[2]));
       if (level_.inverse_diagonal[c][at] != 0) {
         link_face(c, index, arm_of(c, index, here.centre), image, here.ball, radius);

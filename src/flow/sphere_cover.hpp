@@ -32,11 +32,7 @@ struct FaceArm {
     out[3 + a] += value * arm[b];
     out[3 + b] -= value * arm[a];
   }
-  [[nodiscard]] Six row() const {
-    Six r{};
-    add(1, r);
-    return r;
-  }
+  [[nodiscard]] Six row() const { return row_of(component, {arm[0], arm[1], arm[2]}); }
 };
 
 /// A face covered by a sphere: it moves with it.
@@ -82,18 +78,6 @@ struct CoverCount {
   Index lost = 0;     ///< of these, without any within reach
   Index pockets = 0;  ///< small ones between spheres that were closed
 };
-
-/// Calls visit(index) for the indices from first to last, both included.
-template <typename Visit>
-void for_window(const Int3& first, const Int3& last, const Visit& visit) {
-  for (int k = first[2]; k <= last[2]; ++k) {
-    for (int j = first[1]; j <= last[1]; ++j) {
-      for (int i = first[0]; i <= last[0]; ++i) {
-        visit(Int3{i, j, k});
-      }
-    }
-  }
-}
 
 /// Covers faces of the finest level by spheres, and takes that back.
 ///

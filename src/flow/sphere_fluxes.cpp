@@ -158,7 +158,7 @@ void SphereCover::take_shares(const SphereSet& set, const std::vector<CellShare>
     for (int a = 0; a < 3; ++a) {
       wraps[a] = boundaries_.periodic(a) ? 1 + b.ghost[a] / b.global[a] : 0;
     }
-    for_window({-wraps[0], -wraps[1], -wraps[2]}, wraps, [&](const Int3& wrap) {
+    grid::for_window({-wraps[0], -wraps[1], -wraps[2]}, wraps, [&](const Int3& wrap) {
       Int3 cell{};
       for (int a = 0; a < 3; ++a) {
         cell[a] = share.cell[a] + wrap[a] * b.global[a] - b.start[a];

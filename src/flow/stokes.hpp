@@ -129,6 +129,14 @@ class StokesSolver {
     Friction& friction;
     Packed<double>& unknowns;
     Real& scale;  ///< [Pa/m] force that is 1 inside
+
+    /// [m] centre of a face of an axis (component 0, 1, 2) or of a cell (3).
+    [[nodiscard]] Vec3 place(int component, const Int3& index) const {
+      const Vec3 x = hierarchy.finest().block.centre(component, index);
+      return {x.x * spacing.x, x.y * spacing.y, x.z * spacing.z};
+    }
+    /// [m/s] velocity that is 1 inside.
+    [[nodiscard]] Real velocity_unit() const { return scale * spacing.x * spacing.x / viscosity; }
   };
   [[nodiscard]] Parts parts() {
     return {comm_,      boundaries_, spacing_, viscosity_, hierarchy_,
@@ -149,6 +157,8 @@ class StokesSolver {
   [[nodiscard]] Real sphere_scale() const;
   [[nodiscard]] std::vector<Ball> scaled_spheres() const;
   [[nodiscard]] std::vector<WallGap> scaled_walls() const;
+  /// A motion and a force of the rows, in SI.
+  [[nodiscard]] SphereMotion in_si(const Six& v, const Six& f) const;
   SolveReport solve_suspension(const Drive& drive, SolveOptions options);
   void place_and_guess(const Drive& drive, Packed<float>& b, bool warm);
   void show_held_to_coarse_levels();

@@ -162,19 +162,10 @@ void StokesSolver::place_and_guess(const Drive& drive, Packed<float>& b, bool wa
   spheres_->write_faces(false);
   fill_vacated(vacated);
   drive_on_ = spheres_->take_drive(b);
-  b.resize(op.size(), 0.0F);
-  for (std::size_t q = 0; q < spheres_->set().owned(); ++q) {
-    Six force = sum_of(drive_on_[q], spheres_->set().balls()[q].force);
-    spheres_->scale_force(q, force);
-    for (std::size_t x = 0; x < 6; ++x) {
-      b[op.fluid_size() + RigidSpheres::tail_of(q) + x] = static_cast<float>(force[x]);
-    }
-  }
+  spheres_->put_forces(b, drive_on_);
   if (warm) {
     op.load_right_hand_side(b, 1);
-    const std::array<float*, 4> sides{level.f[0].data(), level.f[1].data(), level.f[2].data(),
-                                      level.g.data()};
-    level.halo.exchange(sides, sweep_depth);
+    level.exchange_sides(sweep_depth);
     spheres_->show_motion();
     smooth_finest(hierarchy_, spheres_.get(), guess_sweeps);
   }
@@ -227,23 +218,25 @@ SolveReport StokesSolver::solve_suspension(const Drive& drive, SolveOptions opti
 }
 
 std::vector<SphereMotion> StokesSolver::sphere_motions() const {
+  std::vector<SphereMotion> out;
+  for (std::size_t q = 0; q < given_.size(); ++q) {
+    out.push_back(in_si(spheres_->motion()[q], sum_of(spheres_->rows()[q], drive_on_[q])));
+    const Six& c = contact_on_[q];
+    out.back().contact = scale_ * spacing_.x * spacing_.y * spacing_.z * Vec3{c[0], c[1], c[2]};
+  }
+  return out;
+}
+
+SphereMotion StokesSolver::in_si(const Six& v, const Six& f) const {
   const Real h = spacing_.x;
   const Real velocity_unit = scale_ * h * h / viscosity_;
   const Real force_unit = scale_ * spacing_.x * spacing_.y * spacing_.z;
-  std::vector<SphereMotion> out;
-  for (std::size_t q = 0; q < given_.size(); ++q) {
-    const Six& v = spheres_->motion()[q];
-    const Six f = sum_of(spheres_->rows()[q], drive_on_[q]);
-    const Six& c = contact_on_[q];
-    SphereMotion m;
-    m.velocity = velocity_unit * Vec3{v[0], v[1], v[2]};
-    m.spin = velocity_unit / h * Vec3{v[3], v[4], v[5]};
-    m.force = force_unit * Vec3{f[0], f[1], f[2]};
-    m.torque = force_unit * h * Vec3{f[3], f[4], f[5]};
-    m.contact = force_unit * Vec3{c[0], c[1], c[2]};
-    out.push_back(m);
-  }
-  return out;
+  SphereMotion m;
+  m.velocity = velocity_unit * Vec3{v[0], v[1], v[2]};
+  m.spin = velocity_unit / h * Vec3{v[3], v[4], v[5]};
+  m.force = force_unit * Vec3{f[0], f[1], f[2]};
+  m.torque = force_unit * h * Vec3{f[3], f[4], f[5]};
+  return m;
 }
 
 }  // namespace porefines::flow

@@ -31,6 +31,21 @@ struct Block {
   [[nodiscard]] std::ptrdiff_t at(int i, int j, int k) const {
     return origin + i + sy * j + sz * k;
   }
+  /// The inverse of at().
+  [[nodiscard]] Int3 index_of(std::ptrdiff_t position) const {
+    const std::ptrdiff_t from = position - at(-ghost[0], -ghost[1], -ghost[2]);
+    return {static_cast<int>(from % sy) - ghost[0], static_cast<int>(from % sz / sy) - ghost[1],
+            static_cast<int>(from / sz) - ghost[2]};
+  }
+  /// Where a face of an axis (component 0, 1, 2) or a cell (3) has its centre [cells from the corner
+  /// of the grid].
+  [[nodiscard]] Vec3 centre(int component, const Int3& index) const {
+    Vec3 x;
+    for (int a = 0; a < 3; ++a) {
+      x[a] = index[a] + start[a] + (a == component ? 0.0 : 0.5);
+    }
+    return x;
+  }
   [[nodiscard]] std::ptrdiff_t stride(int axis) const {
     return axis == 0 ? 1 : axis == 1 ? sy : sz;
   }
@@ -39,6 +54,27 @@ struct Block {
   [[nodiscard]] int parity() const { return (start[0] + start[1] + start[2]) & 1; }
   [[nodiscard]] Index cells() const { return product(n); }
 };
+
+/// Calls visit(index) for the indices from first to last, both included.
+template <typename Visit>
+void for_window(const Int3& first, const Int3& last, const Visit& visit) {
+  for (int k = first[2]; k <= last[2]; ++k) {
+    for (int j = first[1]; j <= last[1]; ++j) {
+      for (int i = first[0]; i <= last[0]; ++i) {
+        visit(Int3{i, j, k});
+      }
+    }
+  }
+}
+
+/// Calls visit(memory position) for the faces or cells of one layer normal to `axis`, ghosts included.
+template <typename Visit>
+void for_layer(const Block& b, int axis, int layer, const Visit& visit) {
+  Int3 first{-b.ghost[0], -b.ghost[1], -b.ghost[2]};
+  Int3 last{b.n[0] + b.ghost[0], b.n[1] + b.ghost[1], b.n[2] + b.ghost[2]};
+  first[axis] = last[axis] = layer;
+  for_window(first, last, [&](const Int3& q) { visit(b.at(q[0], q[1], q[2])); });
+}
 
 /// @param ghost_depth  layers on axes that are cut or periodic; one layer elsewhere
 Block make_block(const par::Decomposition& decomposition, int rank,

@@ -19,7 +19,8 @@ void for_reals(State& s, const Visit& visit) {
 
 template <typename Now, typename Visit>
 void for_flow(Now& now, const Visit& visit) {
-  visit(now.flow_rate), visit(now.pressure_drop), visit(now.permeability), visit(now.residual);
+  visit(now.darcy.flow_rate), visit(now.darcy.pressure_drop), visit(now.darcy.permeability),
+      visit(now.residual);
 }
 
 template <typename State, typename Visit>

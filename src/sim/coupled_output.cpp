@@ -6,23 +6,23 @@
 #include <fmt/format.h>
 
 #include "sim/dry_results.hpp"
-#include "sim/prepare.hpp"
+#include "sim/pictures.hpp"
 #include "sim/results.hpp"
 
 namespace porefines::sim {
 namespace {
 
 /// A row of series.csv. Concentrations stand among the first columns, other readings come last.
-std::vector<Real> series_values(CoupledRun& run, Readings& readings) {
+std::vector<Real> series_values(CoupledRun& run, Readings& readings, const MomentFields& fields) {
   const Moment moment = look(run.particles);
-  std::vector<Real> read = take_readings(run, readings);
+  std::vector<Real> read = take_readings(run, readings, fields);
   read.resize(analysis::reading_columns().size());  // only rank 0 has them
   const Ledger& ledger = run.particles.state.ledger;
   std::vector<Real> row{run.time(),
                         run.pore_volumes(),
                         run.permeability_ratio(),
-                        run.now.flow_rate,
-                        run.now.pressure_drop,
+                        run.now.darcy.flow_rate,
+                        run.now.darcy.pressure_drop,
                         read[0],
                         read[1],
                         static_cast<Real>(moment.totals.particles),
@@ -89,35 +89,37 @@ CoupledSink open_coupled_sink(const std::string& folder, const CoupledRun& run,
 
 void write_coupled(CoupledRun& run, CoupledSink& sink, const std::string& left,
                    const RunCanvas& canvas, std::span<const float> solid) {
-  const View view{
-      [&] { return series_values(run, sink.readings); },
-      [&] { return paint_run(run, canvas, sink.readings, solid, report::FineColour::fate); }};
+  const MomentFields fields = fields_of_moment(run);
+  const View view{[&] { return series_values(run, sink.readings, fields); },
+                  [&] {
+                    return paint_run(run, canvas, sink.readings, fields, solid,
+                                     report::FineColour::fate);
+                  }};
   write_due(run.particles, sink.tables, left, view);
   if (falls_due(run.particles, config::OutputKind::fields)) {
-    write_fields(*sink.fields, run.time(), cell_fields(run), solid, true);
+    write_fields(*sink.fields, run.time(), fields(), solid, true);
   }
 }
 
 void write_end(CoupledRun& run, CoupledSink& sink, const RunCanvas& canvas,
-               std::span<const float> solid) {
+               const geom::Sample& sample, std::span<const float> solid) {
+  const MomentFields fields = fields_of_moment(run);
+  const std::string& folder = sink.tables.folder;
+  const io::Provenance& provenance = sink.tables.provenance;
   finish_movie(run.particles, sink.tables);
   if (sink.fields && !is_sampled(run.the_case, config::OutputKind::fields)) {
-    write_fields(*sink.fields, run.time(), cell_fields(run), solid, true);
+    write_fields(*sink.fields, run.time(), fields(), solid, true);
   }
   if (config::find_output(run.the_case, config::OutputKind::pictures) == nullptr) {
     return;
   }
   using enum report::FineColour;
   for (const auto& [name, colour] : {std::pair{"particles", fate}, {"particles_speed", speed}}) {
-    write_moment(fmt::format("{}/{}.png", sink.tables.folder, name), run.particles,
-                 paint_run(run, canvas, sink.readings, solid, colour), sink.tables.provenance);
+    write_moment(fmt::format("{}/{}.png", folder, name), run.particles,
+                 paint_run(run, canvas, sink.readings, fields, solid, colour), provenance);
   }
-}
-
-flow::StokesSolver::CellFields cell_fields(CoupledRun& run) {
-  flow::StokesSolver::CellFields fields = run.solver.cell_fields();
-  to_case_units(fields, 1, run.offset);
-  return fields;
+  draw_fields(folder, run.the_case, sample, run.domain, fields(), solid, run.solver.block(),
+              provenance, run.comm());
 }
 
 void add_coupled(Json& json, const CoupledRun& run) {
@@ -126,11 +128,11 @@ void add_coupled(Json& json, const CoupledRun& run) {
   const CoupledState& s = run.state;
   json.set("time_s", run.time());
   json.set("permeability_clean_m2", s.clean_permeability);
-  json.set("permeability_m2", run.now.permeability);
-  json.set("permeability_darcy", run.now.permeability / darcy);
+  json.set("permeability_m2", run.now.darcy.permeability);
+  json.set("permeability_darcy", run.now.darcy.permeability / darcy);
   json.set("permeability_ratio", run.permeability_ratio());
-  json.set("flow_rate_m3_s", run.now.flow_rate);
-  json.set("pressure_drop_pa", run.now.pressure_drop);
+  json.set("flow_rate_m3_s", run.now.darcy.flow_rate);
+  json.set("pressure_drop_pa", run.now.darcy.pressure_drop);
   json.set("pore_volumes_injected", run.pore_volumes());
   json.set("particles_placed", ledger.placed);
   json.set("particles_injected", ledger.injected);

@@ -34,10 +34,7 @@ void write_coupled(CoupledRun& run, CoupledSink& sink, const std::string& left,
 /// The last moment, where no sample fell on it: its fields, and its pictures. Completes the movie.
 /// Collective.
 void write_end(CoupledRun& run, CoupledSink& sink, const RunCanvas& canvas,
-               std::span<const float> solid);
-
-/// The flow as it is now, in the units of the case. Collective.
-[[nodiscard]] flow::StokesSolver::CellFields cell_fields(CoupledRun& run);
+               const geom::Sample& sample, std::span<const float> solid);
 
 /// Columns of series.csv.
 [[nodiscard]] std::vector<std::string> coupled_columns();

@@ -4,21 +4,11 @@
 #include <algorithm>
 
 #include "par/gather.hpp"
-#include "sim/coupled_output.hpp"
 #include "sim/dry_results.hpp"
 #include "sim/pictures.hpp"
 
 namespace porefines::sim {
 namespace {
-
-std::vector<float> speeds_of(const flow::StokesSolver::CellFields& fields) {
-  std::vector<float> speed(fields.pressure.size());
-  for (std::size_t at = 0; at < speed.size(); ++at) {
-    speed[at] = static_cast<float>(
-        norm(Vec3{fields.velocity[0][at], fields.velocity[1][at], fields.velocity[2][at]}));
-  }
-  return speed;
-}
 
 struct Fine {
   std::uint64_t id;
@@ -79,16 +69,17 @@ RunCanvas make_canvas(const Domain& domain, const geom::Sample& sample,
   return canvas;
 }
 
-report::Picture paint_run(CoupledRun& run, const RunCanvas& canvas, const Readings& readings,
-                          std::span<const float> solid, report::FineColour colour) {
+report::Picture paint_run(const CoupledRun& run, const RunCanvas& canvas, const Readings& readings,
+                          const MomentFields& fields, std::span<const float> solid,
+                          report::FineColour colour) {
   const report::RunStyle style{.title = title_of_moment(run.particles),
                                .colour = colour,
                                .range = canvas.range,
                                .flow_to = flow_to(run.the_case.flow)};
   report::SliceValues plane;
   if (canvas.chip) {
-    plane = gather_mid_slice(speeds_of(cell_fields(run)), solid, run.solver.block(), run.domain, 2,
-                             run.comm());
+    plane =
+        gather_mid_slice(speeds_of(fields()), solid, run.solver.block(), run.domain, 2, run.comm());
   }
   report::RunView view{run.domain.origin(), gather_fines(run, readings), {}};
   report::Picture picture;

@@ -24,8 +24,8 @@ struct RunCanvas {
                                     const par::Communicator& comm);
 
 /// Fines and clogged throats over grains and, in a chip, the flow. On rank 0; collective.
-[[nodiscard]] report::Picture paint_run(CoupledRun& run, const RunCanvas& canvas,
-                                        const Readings& readings, std::span<const float> solid,
-                                        report::FineColour colour);
+[[nodiscard]] report::Picture paint_run(const CoupledRun& run, const RunCanvas& canvas,
+                                        const Readings& readings, const MomentFields& fields,
+                                        std::span<const float> solid, report::FineColour colour);
 
 }  // namespace porefines::sim

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "analysis/gather_sample.hpp"
-#include "sim/coupled_output.hpp"
 #include "sim/particle_setup.hpp"
 #include "sim/particle_walls.hpp"
 
@@ -52,8 +51,8 @@ Real asked_concentration(const CoupledRun& run) {
   return injected_volume(run.the_case, asked[0], run.particles.inlets[0].density, unit_flow);
 }
 
-std::vector<analysis::ThroatPressure> pressures_at(CoupledRun& run, const Readings& readings) {
-  const flow::StokesSolver::CellFields fields = cell_fields(run);
+std::vector<analysis::ThroatPressure> pressures_at(const CoupledRun& run, const Readings& readings,
+                                                   const flow::StokesSolver::CellFields& fields) {
   const Domain& domain = run.domain;
   const analysis::CellReader pressure{fields.pressure, fields.fluid, &run.solver.block(),
                                       domain.spacing, domain.origin()};
@@ -72,7 +71,8 @@ analysis::OwnedSample sample_of(const CoupledRun& run, bool flat) {
   }
   mine.scalars.time = run.time();
   mine.scalars.pore_volumes = run.pore_volumes();
-  mine.scalars.fluid_speed = std::abs(run.now.flow_rate) * run.domain.length() / run.pore_volume;
+  mine.scalars.fluid_speed =
+      std::abs(run.now.darcy.flow_rate) * run.domain.length() / run.pore_volume;
   mine.scalars.out = run.particles.state.ledger.out;
   return mine;
 }
@@ -108,10 +108,10 @@ Readings open_readings(const std::string& folder, const CoupledRun& run, const g
   return readings;
 }
 
-std::vector<Real> take_readings(CoupledRun& run, Readings& readings) {
+std::vector<Real> take_readings(CoupledRun& run, Readings& readings, const MomentFields& fields) {
   const analysis::OwnedSample all =
       analysis::gather_sample(sample_of(run, readings.setup.network.flat), run.comm());
-  const std::vector<analysis::ThroatPressure> pressures = pressures_at(run, readings);
+  const std::vector<analysis::ThroatPressure> pressures = pressures_at(run, readings, fields());
   const analysis::Throughput throughput{run.state.fluid_passed, run.state.volume_in,
                                         run.state.volume_out};
   std::vector<Real> row;

@@ -30,6 +30,7 @@ struct Readings {
 
 /// Takes a sample: clogging log, retention, pressures at throats. Collective.
 /// @return what series.csv says of it, as analysis::reading_columns; counts on rank 0
-[[nodiscard]] std::vector<Real> take_readings(CoupledRun& run, Readings& readings);
+[[nodiscard]] std::vector<Real> take_readings(CoupledRun& run, Readings& readings,
+                                              const MomentFields& fields);
 
 }  // namespace porefines::sim

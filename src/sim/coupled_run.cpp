@@ -21,50 +21,29 @@
 namespace porefines::sim {
 namespace {
 
-/// The end of the case, one of its limits, a signal, or run.max_wall. Collective.
-std::optional<Outcome> reason_to_end(const CoupledRun& run, Real wall_time) {
-  const std::string limit = limit_reached(run);
-  if (!limit.empty() || run.time() >= run.the_case.run.end_time) {
-    return Outcome{.ending = {.reason = limit}};
-  }
-  return reason_to_stop(run.particles, wall_time);
-}
-
 Outcome simulate(CoupledRun& run, CoupledSink& sink, const RunCanvas& canvas,
                  std::span<const float> solid, const Stopwatch& watch, Log& log) {
-  std::optional<Progress> progress;
-  if (run.comm().is_root()) {
-    progress.emplace("run");
-  }
-  const auto save = [&](Real wall_time) {
-    sim::save(run.particles, sink.tables, wall_time, log,
-              [&] { write_checkpoint(run, sink.tables.folder, sink.tables.provenance); });
-  };
-  const Real end = run.the_case.run.end_time;
-  std::string left;
+  const DryState& now = run.particles.state;
+  Keeper keeper(run.comm(), run.the_case, watch, log,
+                [&] { write_checkpoint(run, sink.tables.folder, sink.tables.provenance); });
   if (run.cold) {
     solve_flow(run);
   }
-  while (true) {
-    write_coupled(run, sink, left, canvas, solid);  // of this moment
-    const Real wall_time = run.comm().max(watch.seconds());
-    if (const auto stop = reason_to_end(run, wall_time)) {
-      save(wall_time);
+  write_coupled(run, sink, "", canvas, solid);
+  while (now.time < run.the_case.run.end_time && limit_reached(run).empty()) {
+    const Real step = choose_step(run);
+    move_particles(run, step);                          // with the flow and against each other
+    stiffen_contacts(run);                              // before overlaps reach their bound
+    const std::string left = pass_openings(run, step);  // out, and in
+    require_healthy(run.particles);                     // overlaps within their bound
+    solve_flow(run);                                    // fluid and rigid particles in one system
+    write_coupled(run, sink, left, canvas, solid);      // of this moment
+    if (const auto stop = keeper.after_step(now.time, now.steps)) {
       return *stop;
     }
-    if (wall_time - sink.tables.saved >= run.the_case.checkpoint.every) {
-      save(wall_time);
-    }
-    const Real step = choose_step(run);
-    move_particles(run, step);        // with the flow and against each other
-    stiffen_contacts(run);            // before overlaps reach their bound
-    left = pass_openings(run, step);  // out, and in
-    require_healthy(run.particles);   // overlaps within their bound
-    solve_flow(run);                  // fluid and rigid particles in one system
-    if (progress) {
-      progress->update(run.time() / end);
-    }
   }
+  keeper.save(now.time, now.steps);
+  return {.ending = {.reason = limit_reached(run)}};
 }
 
 void say_coupled(Log& log, const CoupledRun& run, const Outcome& outcome) {
@@ -103,7 +82,8 @@ struct Scene {
 
 /// Links the grains and solves the clean flow. Collective.
 Scene set_scene(const config::Case& the_case, const Prepared& prepared, flow::StokesSolver& solver,
-                const par::Communicator& comm, const Stopwatch& watch, Log& log) {
+                const io::Provenance& provenance, const par::Communicator& comm,
+                const Stopwatch& watch, Log& log) {
   Scene scene{the_case, prepared, set_up(solver, the_case, prepared, comm), {}, {}, {}};
   log.info("set-up     {:.2g} s", watch.seconds());
   const Domain& domain = prepared.domain;
@@ -113,13 +93,9 @@ Scene set_scene(const config::Case& the_case, const Prepared& prepared, flow::St
     throw Interrupted{clean.signal};
   }
   log.info("clean k    {:.5g} m^2 = {:.5g} darcy", clean.permeability, clean.permeability / darcy);
-  flow::StokesSolver::CellFields fields = solver.cell_fields();
-  to_case_units(fields, clean.scale, clean.offset);
+  const flow::StokesSolver::CellFields fields = case_fields(solver, clean.scale, clean.offset);
   scene.canvas = make_canvas(domain, prepared.sample, fields, scene.solid, solver.block(), comm);
-  scene.facts.porosity =
-      measure_porosity(prepared.sample, domain, solver.block(), scene.solid, comm);
-  scene.facts.fluid_cells = solver.fluid_cells();
-  scene.facts.plan = prepared.plan;
+  scene.facts = facts_of(prepared, solver, scene.solid, provenance, comm);
   return scene;
 }
 
@@ -138,20 +114,11 @@ void begin(CoupledRun& run, const RunOptions& options, Log& log) {
 
 /// Last pictures and fields, summary.json. Collective.
 void write_results(CoupledRun& run, CoupledSink& sink, const Scene& scene, const Outcome& outcome) {
-  const std::string& folder = sink.tables.folder;
-  const Prepared& prepared = scene.prepared;
-  write_end(run, sink, scene.canvas, scene.solid);
-  if (config::find_output(scene.the_case, config::OutputKind::pictures) != nullptr) {
-    draw_fields(folder, scene.the_case, prepared.sample, run.domain, cell_fields(run), scene.solid,
-                run.solver.block(), sink.tables.provenance, run.comm());
-  }
-  Json summary = summarise(scene.the_case, prepared.sample, run.domain, scene.clean, scene.facts);
+  const geom::Sample& sample = scene.prepared.sample;
+  write_end(run, sink, scene.canvas, sample, scene.solid);
+  Json summary = summarise(scene.the_case, sample, run.domain, scene.clean, scene.facts);
   add_coupled(summary, run);
-  summary.set("status", outcome.ending.status);
-  if (!outcome.ending.reason.empty()) {
-    summary.set("reason", outcome.ending.reason);
-  }
-  on_root(run.comm(), [&] { write_file(folder + "/summary.json", summary.text()); });
+  write_summary(sink.tables.folder, std::move(summary), outcome.ending, run.comm());
 }
 
 }  // namespace
@@ -173,8 +140,7 @@ int run_coupled_case(const config::Case& the_case, const RunOptions& options,
   const Domain& domain = prepared.domain;
   flow::StokesSolver solver(comm, prepared.cut, domain.spacing, domain.boundaries,
                             the_case.fluid.viscosity);
-  Scene scene = set_scene(the_case, prepared, solver, comm, watch, *log);
-  scene.facts.provenance = provenance;
+  Scene scene = set_scene(the_case, prepared, solver, provenance, comm, watch, *log);
   const config::Case boxed = with_box_of_flow(the_case);
   CoupledRun run = make_coupled_run(boxed, prepared.sample, domain, prepared.cut, solver,
                                     scene.clean, scene.facts.porosity.connected, comm);
@@ -182,10 +148,9 @@ int run_coupled_case(const config::Case& the_case, const RunOptions& options,
   CoupledSink sink =
       open_coupled_sink(folder, run, prepared.sample, scene.solid, provenance, start);
   const Outcome outcome =
-      safely([&] { return simulate(run, sink, scene.canvas, scene.solid, watch, *log); });
-  scene.facts.peak_memory = comm.sum(static_cast<Real>(peak_memory()));
-  scene.facts.wall_time = watch.seconds();
-  write_rest(outcome, folder, [&] {
+      safely(folder, [&] { return simulate(run, sink, scene.canvas, scene.solid, watch, *log); });
+  take_cost(scene.facts, watch, comm);
+  write_rest(outcome, [&] {
     write_results(run, sink, scene, outcome);
     say_coupled(*log, run, outcome);
     say_fates(*log, run.state.readings.clogging);

@@ -13,6 +13,7 @@
 #include "sim/beds.hpp"
 #include "sim/particle_setup.hpp"
 #include "sim/particle_walls.hpp"
+#include "sim/prepare.hpp"
 
 namespace porefines::sim {
 namespace {
@@ -71,6 +72,16 @@ config::Case with_box_of_flow(config::Case the_case) {
     }
   }
   return the_case;
+}
+
+MomentFields fields_of_moment(CoupledRun& run) {
+  const auto kept = std::make_shared<std::optional<flow::StokesSolver::CellFields>>();
+  return [&run, kept]() -> const flow::StokesSolver::CellFields& {
+    if (!*kept) {
+      *kept = case_fields(run.solver, 1, run.offset);
+    }
+    return **kept;
+  };
 }
 
 CoupledRun make_coupled_run(const config::Case& the_case, const geom::Sample& sample,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MPL-2.0
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,10 +17,8 @@ namespace porefines::sim {
 
 /// What the last solve says about the flow.
 struct FlowNow {
-  Real flow_rate = 0;      ///< [m^3/s] along +axis
-  Real pressure_drop = 0;  ///< [Pa] over the sample
-  Real permeability = 0;   ///< [m^2]
-  int cycles = 0;          ///< of all solves of the step
+  DarcyFlow darcy = {};
+  int cycles = 0;  ///< of all solves of the step
   Real residual = 0;
 };
 
@@ -60,7 +59,7 @@ struct CoupledRun {
   [[nodiscard]] Real time() const { return particles.state.time; }
   [[nodiscard]] Real pore_volumes() const { return state.fluid_passed / pore_volume; }
   [[nodiscard]] Real permeability_ratio() const {
-    return now.permeability / state.clean_permeability;
+    return now.darcy.permeability / state.clean_permeability;
   }
 };
 
@@ -96,6 +95,11 @@ void stiffen_contacts(CoupledRun& run);
 /// What left through openings, and what became due at the inlets.
 /// @return rows of those that left, for tracks.csv
 [[nodiscard]] std::string pass_openings(CoupledRun& run, Real step);
+
+/// The fields of the moment in the units of the case, made when they are first asked for. Asking is
+/// collective; good until the next solve.
+using MomentFields = std::function<const flow::StokesSolver::CellFields&()>;
+[[nodiscard]] MomentFields fields_of_moment(CoupledRun& run);
 
 /// Inlets follow the flow of the last solve: where and how fast particles enter, and how many.
 void feed_inlets(CoupledRun& run);

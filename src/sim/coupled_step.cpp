@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "analysis/flux.hpp"
-#include "analysis/permeability.hpp"
 #include "core/error.hpp"
 #include "dem/packing.hpp"
 #include "sim/coupled_state.hpp"
@@ -93,20 +91,6 @@ flow::Drive scaled(const flow::Drive& drive, Real factor) {
   return out;
 }
 
-void measure(CoupledRun& run, const flow::Drive& drive) {
-  const Domain& domain = run.domain;
-  FlowNow& now = run.now;
-  now.flow_rate = analysis::mean(run.solver.plane_fluxes(domain.axis));
-  if (run.the_case.flow.inlet) {
-    now.pressure_drop = sample_pressure_drop(domain, drive, run.solver);
-  } else {
-    now.pressure_drop = drive.force[domain.axis] * domain.length();
-  }
-  now.permeability =
-      analysis::darcy_permeability({now.flow_rate, domain.area(), domain.length(),
-                                    now.pressure_drop, run.the_case.fluid.viscosity});
-}
-
 void solve_once(CoupledRun& run, const flow::Drive& drive) {
   flow::SolveOptions options;
   options.tolerance = run.cold ? run.the_case.flow.tolerance : run.the_case.coupling.tolerance;
@@ -182,12 +166,13 @@ void solve_flow(CoupledRun& run) {
     run.solver.set_spheres(spheres_of(run), walls_near(run));
     solve_once(run, drive);
     take_motions(run);
-    measure(run, drive);
-    if (run.wanted_rate == 0 || std::abs(run.now.flow_rate / run.wanted_rate - 1) < pump_accuracy) {
+    run.now.darcy = measure_darcy(run.the_case, run.domain, drive, run.solver);
+    if (run.wanted_rate == 0 ||
+        std::abs(run.now.darcy.flow_rate / run.wanted_rate - 1) < pump_accuracy) {
       break;
     }
     // A pump that finds no way out still turns up step by step, not at once.
-    const Real ratio = run.wanted_rate / run.now.flow_rate;
+    const Real ratio = run.wanted_rate / run.now.darcy.flow_rate;
     run.state.drive_factor *= ratio > 0 ? std::min(ratio, 2.0) : 2.0;
   }
   feed_inlets(run);
@@ -231,7 +216,7 @@ void move_particles(CoupledRun& run, Real step) {
     run.state.substeps += particles.system.creep(step, approach).substeps;
   }
   advance_clock(particles.state, {step, 1}, next_sample(particles));
-  run.state.fluid_passed += std::abs(run.now.flow_rate) * step;
+  run.state.fluid_passed += std::abs(run.now.darcy.flow_rate) * step;
 }
 
 void stiffen_contacts(CoupledRun& run) {
@@ -293,8 +278,9 @@ std::string limit_reached(const CoupledRun& run) {
                            : fmt::format("{} throats are", run.state.clogged_throats));
   }
   if (run.the_case.flow.max_pressure > 0 &&
-      run.now.pressure_drop > run.the_case.flow.max_pressure) {
-    return fmt::format("the pump needs {:.4g} Pa, more than max_pressure", run.now.pressure_drop);
+      run.now.darcy.pressure_drop > run.the_case.flow.max_pressure) {
+    return fmt::format("the pump needs {:.4g} Pa, more than max_pressure",
+                       run.now.darcy.pressure_drop);
   }
   return "";
 }

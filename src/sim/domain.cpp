@@ -246,4 +246,12 @@ Domain make_domain(const config::Case& the_case, const geom::Sample& sample) {
   return domain;
 }
 
+io::GridBlock grid_block(const Domain& domain, const grid::Block& block) {
+  return {.global_cells = domain.cells,
+          .origin = domain.origin(),
+          .spacing = domain.spacing,
+          .offset = block.start,
+          .cells = block.n};
+}
+
 }  // namespace porefines::sim

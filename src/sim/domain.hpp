@@ -4,6 +4,8 @@
 #include "config/case.hpp"
 #include "flow/boundary.hpp"
 #include "geom/build.hpp"
+#include "grid/block.hpp"
+#include "io/fields.hpp"
 
 namespace porefines::sim {
 
@@ -44,5 +46,8 @@ struct Domain {
 ///                     opposite, a 2D image without depth
 /// Tests: unit/domain.
 [[nodiscard]] Domain make_domain(const config::Case& the_case, const geom::Sample& sample);
+
+/// Where a block lies in the sample's coordinates, for files.
+[[nodiscard]] io::GridBlock grid_block(const Domain& domain, const grid::Block& block);
 
 }  // namespace porefines::sim

@@ -97,19 +97,4 @@ void finish_movie(const DryRun& run, Sink& sink) {
   });
 }
 
-void save(const DryRun& run, Sink& sink, Real wall_time, Log& log) {
-  save(run, sink, wall_time, log, [&] { write_checkpoint(run, sink.folder, sink.provenance); });
-}
-
-void save(const DryRun& run, Sink& sink, Real wall_time, Log& log,
-          const std::function<void()>& write) {
-  sink.saved = wall_time;
-  try {
-    write();
-    log.info("checkpoint at {:.9g} s, step {}", run.state.time, run.state.steps);
-  } catch (const RunError& failure) {
-    log.warn("no checkpoint at {:.6g} s: {}", run.state.time, failure.what());
-  }
-}
-
 }  // namespace porefines::sim

@@ -23,7 +23,6 @@ struct Sink {
   std::optional<io::SeriesWriter> series = {};
   std::optional<io::SeriesWriter> tracks = {};
   std::optional<io::MovieWriter> movie = {};  ///< from its first frame on
-  Real saved = 0;                             ///< [s] of wall time at the last checkpoint
 };
 
 /// Starts the tables, series.csv with these columns, or continues them after run.state.time: what an earlier run wrote later goes.
@@ -46,12 +45,5 @@ void write_due(DryRun& run, Sink& sink, const std::string& left);
 
 /// Completes the movie. Collective.
 void finish_movie(const DryRun& run, Sink& sink);
-
-/// Writes a checkpoint by `write`; a failure is a warning, since the run has its worth without.
-/// Collective.
-void save(const DryRun& run, Sink& sink, Real wall_time, Log& log,
-          const std::function<void()>& write);
-/// That of a dry run.
-void save(const DryRun& run, Sink& sink, Real wall_time, Log& log);
 
 }  // namespace porefines::sim

@@ -127,8 +127,7 @@ std::vector<std::string> describe_dry(const DryRun& run, const std::vector<std::
   const Stretch stretch = choose_stretch(run);
   Real entering = 0;
   for (const dem::Inlet& inlet : run.inlets) {
-    const Real amount = inlet.rate * dem::open_time(inlet, the_case.run.end_time);
-    entering += inlet.by_number ? amount : amount / dem::mean_volume(inlet.sizes);
+    entering += particles_entering(inlet, inlet.rate, the_case.run.end_time);
   }
   const Real particles = static_cast<Real>(now.totals.particles) + entering;
   const Real steps = the_case.run.end_time / stretch.step;

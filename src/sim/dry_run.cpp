@@ -20,34 +20,24 @@ namespace {
 
 /// The rows of the moment, the loop, and why it ended.
 Outcome simulate(DryRun& run, Sink& sink, const Stopwatch& watch, Log& log) {
-  std::optional<Progress> progress;
-  if (run.comm.is_root()) {
-    progress.emplace("run");
-  }
+  const DryState& now = run.state;
+  Keeper keeper(run.comm, run.the_case, watch, log,
+                [&] { write_checkpoint(run, sink.folder, sink.provenance); });
   write_due(run, sink, "");
-  const Real end = run.the_case.run.end_time;
-  while (run.state.time < end) {
-    const Real start = run.state.time;
+  while (now.time < run.the_case.run.end_time) {
+    const Real start = now.time;
     advance(run, choose_stretch(run));       // contact, gravity, forces: Newton and Euler
     const std::string left = take_out(run);  // through open faces
-    inject_due(run, start, run.state.time);  // through inlets
-    run.state.ledger.require_balance(run.comm.sum(static_cast<Index>(run.system.particles().owned)),
-                                     run.state.time);
+    inject_due(run, start, now.time);        // through inlets
+    now.ledger.require_balance(run.comm.sum(static_cast<Index>(run.system.particles().owned)),
+                               now.time);
     require_healthy(run);        // overlaps within their bound
     write_due(run, sink, left);  // tracks, series
-    if (progress) {
-      progress->update(run.state.time / end);
-    }
-    const Real wall_time = run.comm.max(watch.seconds());
-    if (const auto stop = reason_to_stop(run, wall_time)) {
-      save(run, sink, wall_time, log);
+    if (const auto stop = keeper.after_step(now.time, now.steps)) {
       return *stop;
     }
-    if (wall_time - sink.saved >= run.the_case.checkpoint.every) {
-      save(run, sink, wall_time, log);
-    }
   }
-  save(run, sink, run.comm.max(watch.seconds()), log);
+  keeper.save(now.time, now.steps);
   return {};
 }
 
@@ -105,9 +95,9 @@ int run_dry(const config::Case& the_case, const RunOptions& options,
   Log log = open_folder(folder, the_case, comm, start);
   say(log, comm, provenance, story);
   Sink sink = open_sink(folder, run, provenance, start);
-  Outcome outcome = safely([&] { return simulate(run, sink, watch, log); });
+  Outcome outcome = safely(folder, [&] { return simulate(run, sink, watch, log); });
   outcome.ending.wall_time = watch.seconds();
-  write_rest(outcome, folder, [&] {
+  write_rest(outcome, [&] {
     finish_movie(run, sink);
     write_results(folder, run, outcome, provenance);
     say_result(log, run, outcome, folder);

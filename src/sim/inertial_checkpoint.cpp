@@ -19,15 +19,6 @@ void for_counts(State& s, const Visit& visit) {
   visit(s.steps), visit(s.cycles), visit(s.samples), visit(s.fields_written);
 }
 
-io::GridBlock grid_of(const InertialRun& run) {
-  const grid::Block& b = run.solver.block();
-  return {.global_cells = run.domain.cells,
-          .origin = run.domain.origin(),
-          .spacing = run.domain.spacing,
-          .offset = b.start,
-          .cells = b.n};
-}
-
 }  // namespace
 
 void write_checkpoint(const InertialRun& run, const std::string& folder,
@@ -41,7 +32,7 @@ void write_checkpoint(const InertialRun& run, const std::string& folder,
   std::vector<std::int64_t> counts{memory.states};
   for_counts(run.state, [&](Index value) { counts.push_back(value); });
   checkpoint.whole("inertial_counts", std::move(counts));
-  const io::GridBlock grid = grid_of(run);
+  const io::GridBlock grid = grid_block(run.domain, run.solver.block());
   constexpr int columns = flow::InertialFlow::columns;
   checkpoint.block("flow_now", grid, std::span<const Real>(memory.now), columns);
   checkpoint.block("flow_before", grid, std::span<const Real>(memory.old), columns);
@@ -60,7 +51,7 @@ void go_on(InertialRun& run, const std::string& folder) {
   at = 0;
   memory.states = static_cast<int>(counts.at(at++));
   for_counts(run.state, [&](Index& value) { value = counts.at(at++); });
-  const io::GridBlock grid = grid_of(run);
+  const io::GridBlock grid = grid_block(run.domain, run.solver.block());
   constexpr int columns = flow::InertialFlow::columns;
   memory.now = reader.block<Real>("flow_now", grid, columns);
   memory.old = reader.block<Real>("flow_before", grid, columns);

@@ -29,7 +29,7 @@ std::vector<Real> probe_values(InertialRun& run) {
   if (probes.empty()) {
     return values;
   }
-  const flow::StokesSolver::CellFields fields = cell_fields(run);
+  const flow::StokesSolver::CellFields fields = case_fields(run.solver, 1, run.offset);
   const grid::Block& b = run.solver.block();
   for (std::size_t q = 0; q < probes.size(); ++q) {
     Int3 cell{};
@@ -206,15 +206,9 @@ void write_inertial(InertialRun& run, InertialSink& sink, std::span<const float>
                        ? now >= static_cast<Real>(run.state.fields_written) * fields->every
                        : last;
   if (sink.fields && due) {
-    write_fields(*sink.fields, now, cell_fields(run), solid);
+    write_fields(*sink.fields, now, case_fields(run.solver, 1, run.offset), solid);
     ++run.state.fields_written;
   }
-}
-
-flow::StokesSolver::CellFields cell_fields(InertialRun& run) {
-  flow::StokesSolver::CellFields fields = run.solver.cell_fields();
-  to_case_units(fields, 1, run.offset);
-  return fields;
 }
 
 void add_inertial(Json& json, InertialRun& run, const std::string& folder) {

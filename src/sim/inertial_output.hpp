@@ -21,7 +21,6 @@ struct InertialSink {
   io::Provenance provenance;
   std::optional<io::SeriesWriter> series = {};
   std::optional<io::FieldWriter> fields = {};
-  Real saved = 0;  ///< [s] of wall time at the last checkpoint
 };
 
 /// Starts series.csv and fields.xdmf, or continues them after the time of a resumed run. Collective.
@@ -33,9 +32,6 @@ void write_inertial(InertialRun& run, InertialSink& sink, std::span<const float>
 
 /// Columns of series.csv: time, flow, energy, then each body's force and coefficients, then probes.
 [[nodiscard]] std::vector<std::string> inertial_columns(const InertialRun& run);
-
-/// The flow as it is, in the units of the case. Collective.
-[[nodiscard]] flow::StokesSolver::CellFields cell_fields(InertialRun& run);
 
 /// What inertia adds to summary.json: forces, Strouhal number, wake. Collective.
 void add_inertial(Json& json, InertialRun& run, const std::string& folder);

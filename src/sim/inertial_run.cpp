@@ -5,11 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "analysis/flux.hpp"
-#include "analysis/permeability.hpp"
-#include "core/atomic_file.hpp"
 #include "core/error.hpp"
-#include "core/memory.hpp"
 #include "core/progress.hpp"
 #include "core/signals.hpp"
 #include "sim/ending.hpp"
@@ -24,57 +20,19 @@
 namespace porefines::sim {
 namespace {
 
-void save(const InertialRun& run, InertialSink& sink, Real wall_time, Log& log) {
-  sink.saved = wall_time;
-  try {
-    write_checkpoint(run, sink.folder, sink.provenance);
-    log.info("checkpoint at {:.9g} s, step {}", run.flow->time(), run.state.steps);
-  } catch (const RunError& failure) {
-    log.warn("no checkpoint at {:.6g} s: {}", run.flow->time(), failure.what());
-  }
-}
-
-/// A signal on any rank, or run.max_wall. Collective.
-std::optional<Outcome> reason_to_leave(const InertialRun& run, Real wall_time) {
-  if (const int signal = signal_anywhere(run.comm); signal != 0) {
-    return Outcome{
-        {"interrupted", fmt::format("signal {}", signal)}, exit_code::signal_base + signal, ""};
-  }
-  const Real limit = run.the_case.run.max_wall;
-  if (limit > 0 && wall_time > limit) {
-    return Outcome{{"stopped", "max_wall"},
-                   exit_code::stopped_itself,
-                   fmt::format("run.max_wall is over at {:.6g} s of {:.6g} s; results are those so "
-                               "far, and --restart goes on",
-                               run.flow->time(), run.the_case.run.end_time)};
-  }
-  return {};
-}
-
 Outcome march(InertialRun& run, InertialSink& sink, std::span<const float> solid,
               const Stopwatch& watch, Log& log) {
-  std::optional<Progress> progress;
-  if (run.comm.is_root()) {
-    progress.emplace("run");
-  }
-  const Real end = run.the_case.run.end_time;
+  Keeper keeper(run.comm, run.the_case, watch, log,
+                [&] { write_checkpoint(run, sink.folder, sink.provenance); });
   write_inertial(run, sink, solid);
-  while (run.flow->time() < end * (1 - 1e-12)) {
+  while (run.flow->time() < run.the_case.run.end_time * (1 - 1e-12)) {
     advance(run, choose_step(run));
     write_inertial(run, sink, solid);
-    if (progress) {
-      progress->update(run.flow->time() / end);
-    }
-    const Real wall_time = run.comm.max(watch.seconds());
-    if (const auto stop = reason_to_leave(run, wall_time)) {
-      save(run, sink, wall_time, log);
+    if (const auto stop = keeper.after_step(run.flow->time(), run.state.steps)) {
       return *stop;
     }
-    if (wall_time - sink.saved >= run.the_case.checkpoint.every) {
-      save(run, sink, wall_time, log);
-    }
   }
-  save(run, sink, run.comm.max(watch.seconds()), log);
+  keeper.save(run.flow->time(), run.state.steps);
   return {};
 }
 
@@ -108,32 +66,48 @@ Outcome settle(InertialRun& run, Log& log) {
 
 /// Flow rate and pressures of the moment, in the words of the creeping flow.
 SteadyFlow measure(const InertialRun& run) {
+  const DarcyFlow now = measure_darcy(run.the_case, run.domain, run.drive, run.solver);
   SteadyFlow out;
-  const std::vector<Real> fluxes = run.solver.plane_fluxes(run.domain.axis);
-  out.flow_rate = analysis::mean(fluxes);
-  out.flux_variation = analysis::flux_variation(fluxes);
+  out.flow_rate = now.flow_rate;
+  out.flux_variation = now.flux_variation;
   out.velocity = run.solver.superficial_velocity();
   out.solve.cycles = static_cast<int>(run.state.cycles);
-  if (run.the_case.flow.inlet) {
-    out.pressure_drop = sample_pressure_drop(run.domain, run.drive, run.solver);
-  } else {
-    out.pressure_drop = run.drive.force[run.domain.axis] * run.domain.length();
-  }
-  out.total_drop = out.pressure_drop;
-  if (out.pressure_drop != 0) {
-    out.permeability =
-        analysis::darcy_permeability({out.flow_rate, run.domain.area(), run.domain.length(),
-                                      out.pressure_drop, run.the_case.fluid.viscosity});
-  }
+  out.pressure_drop = out.total_drop = now.pressure_drop;
+  out.permeability = now.pressure_drop != 0 ? now.permeability : 0;
   return out;
 }
 
-void draw_end(InertialRun& run, const std::string& folder, std::span<const float> solid,
-              const io::Provenance& provenance) {
-  if (config::find_output(run.the_case, config::OutputKind::pictures) != nullptr) {
-    draw_fields(folder, run.the_case, run.sample, run.domain, cell_fields(run), solid,
-                run.solver.block(), provenance, run.comm);
+/// Fields of a steady flow, pictures, summary.json, and what a person reads. Collective.
+void write_results(InertialRun& run, const Prepared& prepared, std::span<const float> solid,
+                   RunFacts facts, const std::string& folder, const Outcome& outcome,
+                   const Stopwatch& watch, Log& log) {
+  const auto asks = [&](config::OutputKind kind) {
+    return config::find_output(run.the_case, kind) != nullptr;
+  };
+  const bool fields_now =
+      run.the_case.inertia.steady && outcome.error.empty() && asks(config::OutputKind::fields);
+  if (fields_now || asks(config::OutputKind::pictures)) {
+    const auto fields = case_fields(run.solver, 1, run.offset);
+    if (fields_now) {
+      io::FieldWriter writer =
+          open_fields(folder, run.domain, run.solver.block(), facts.provenance, run.comm);
+      write_fields(writer, 0, fields, solid);
+    }
+    if (asks(config::OutputKind::pictures)) {
+      draw_fields(folder, run.the_case, run.sample, run.domain, fields, solid, run.solver.block(),
+                  facts.provenance, run.comm);
+    }
   }
+  take_cost(facts, watch, run.comm);
+  const SteadyFlow now = measure(run);
+  Json summary = summarise(run.the_case, prepared.sample, run.domain, now, facts);
+  add_inertial(summary, run, folder);
+  write_summary(folder, std::move(summary), outcome.ending, run.comm);
+  log.info("flow       {:.4g} m^3/s, {:.4g} Pa over the sample", now.flow_rate, now.pressure_drop);
+  log.info(
+      "steps      {} to {:.4g} s, {:.3g} cycles each", run.state.steps, run.flow->time(),
+      static_cast<Real>(run.state.cycles) / static_cast<Real>(std::max<Index>(run.state.steps, 1)));
+  log.info("results    {}", folder);
 }
 
 }  // namespace
@@ -168,38 +142,11 @@ int run_inertial_case(const config::Case& the_case, const RunOptions& options,
   }
   InertialSink sink = steady ? InertialSink{folder, provenance}
                              : open_inertial_sink(folder, run, provenance, start);
-  const Outcome outcome =
-      safely([&] { return steady ? settle(run, *log) : march(run, sink, solid, watch, *log); });
-  if (steady && outcome.error.empty() &&
-      config::find_output(the_case, config::OutputKind::fields) != nullptr) {
-    io::FieldWriter writer = open_fields(folder, domain, solver.block(), provenance, comm);
-    write_fields(writer, 0, cell_fields(run), solid);
-  }
-  draw_end(run, folder, solid, provenance);
-
-  RunFacts facts;
-  facts.porosity = measure_porosity(prepared.sample, domain, solver.block(), solid, comm);
-  facts.fluid_cells = solver.fluid_cells();
-  facts.peak_memory = comm.sum(static_cast<Real>(peak_memory()));
-  facts.plan = prepared.plan;
-  facts.wall_time = watch.seconds();
-  facts.provenance = provenance;
-  const SteadyFlow now = measure(run);
-  Json summary = summarise(the_case, prepared.sample, domain, now, facts);
-  add_inertial(summary, run, folder);
-  summary.set("status", outcome.ending.status);
-  if (!outcome.ending.reason.empty()) {
-    summary.set("reason", outcome.ending.reason);
-  }
-  on_root(comm, [&] { write_file(folder + "/summary.json", summary.text()); });
-  log->info("flow       {:.4g} m^3/s, {:.4g} Pa over the sample", now.flow_rate, now.pressure_drop);
-  log->info(
-      "steps      {} to {:.4g} s, {:.3g} cycles each", run.state.steps, run.flow->time(),
-      static_cast<Real>(run.state.cycles) / static_cast<Real>(std::max<Index>(run.state.steps, 1)));
-  log->info("results    {}", folder);
-  if (!outcome.error.empty()) {
-    throw RunError(outcome.error);
-  }
+  const Outcome outcome = safely(
+      folder, [&] { return steady ? settle(run, *log) : march(run, sink, solid, watch, *log); });
+  const RunFacts facts = facts_of(prepared, solver, solid, provenance, comm);
+  write_rest(outcome,
+             [&] { write_results(run, prepared, solid, facts, folder, outcome, watch, *log); });
   return outcome.exit_code;
 }
 

@@ -43,22 +43,17 @@ Real at_start(const config::Case& the_case, const Domain& domain) {
 }
 
 Real entering(const config::Case& the_case, const Domain& domain, Real darcy_velocity) {
+  const Vec3 low = domain.origin();
+  const std::vector<dem::Inlet> inlets =
+      make_inlets(the_case, {low, low + domain.size(), the_case.flow.periodic});
   Real sum = 0;
-  for (const config::Injection& asked : the_case.injection) {
-    const Real end =
-        asked.stop > 0 ? std::min(asked.stop, the_case.run.end_time) : the_case.run.end_time;
-    Real open = std::max(end - asked.start, 0.0);
-    open *= asked.pulse_period > 0 ? asked.pulse_duration / asked.pulse_period : 1;
-    for (const config::Particles& species : the_case.particles) {
-      if (species.name == asked.species || the_case.particles.size() == 1) {
-        const Real rate = asked.kind == config::Concentration::rate
-                              ? asked.value
-                              : injected_volume(the_case, asked, species.density,
-                                                darcy_velocity * domain.area()) /
-                                    mean_volume_of(species);
-        sum += rate * open;
-      }
-    }
+  for (std::size_t k = 0; k < inlets.size(); ++k) {
+    const dem::Inlet& inlet = inlets[k];
+    const Real rate = inlet.by_number
+                          ? inlet.rate
+                          : injected_volume(the_case, the_case.injection[k], inlet.density,
+                                            darcy_velocity * domain.area());
+    sum += particles_entering(inlet, rate, the_case.run.end_time);
   }
   return sum;
 }

@@ -177,6 +177,11 @@ dem::Settings make_settings(const config::Case& the_case, const geom::Sample& sa
   return settings;
 }
 
+Real particles_entering(const dem::Inlet& inlet, Real rate, Real end) {
+  const Real amount = rate * dem::open_time(inlet, end);
+  return inlet.by_number ? amount : amount / dem::mean_volume(inlet.sizes);
+}
+
 std::vector<dem::Inlet> make_inlets(const config::Case& the_case, const dem::Box& box) {
   std::vector<dem::Inlet> inlets;
   for (const config::Injection& injection : the_case.injection) {

@@ -40,6 +40,9 @@ namespace porefines::sim {
 [[nodiscard]] Real injected_volume(const config::Case& the_case, const config::Injection& injection,
                                    Real density, Real flow);
 
+/// How many enter by `end` [s] at this rate: particles/s or, where the inlet counts volume, [m^3/s].
+[[nodiscard]] Real particles_entering(const dem::Inlet& inlet, Real rate, Real end);
+
 /// The injections of the case.
 /// @throws InputError  a window outside the face, or one that lets no particle through
 [[nodiscard]] std::vector<dem::Inlet> make_inlets(const config::Case& the_case,

@@ -78,21 +78,23 @@ bool is_chip(const geom::Sample& sample, const Domain& domain) {
 
 namespace {
 
-/// Calls visit(place in the plane, place in the block) for this rank's cells, all along the axis.
+/// Calls visit(place in the plane, place in the block) for this rank's cells from layer first to last
+/// along the axis normal to it, both included.
 template <typename Visit>
-void for_plane(const report::Slice& shape, const grid::Block& block, const Visit& visit) {
+void for_layers(const report::Slice& shape, const grid::Block& block, int first, int last,
+                const Visit& visit) {
   const auto [right, up] = shape.axes;
-  std::size_t from = 0;
-  Int3 cell{};
-  for (cell[2] = 0; cell[2] < block.n[2]; ++cell[2]) {
-    for (cell[1] = 0; cell[1] < block.n[1]; ++cell[1]) {
-      for (cell[0] = 0; cell[0] < block.n[0]; ++cell[0], ++from) {
-        visit(static_cast<std::size_t>(block.start[right] + cell[right] +
-                                       Index{shape.width} * (block.start[up] + cell[up])),
-              from, cell);
-      }
-    }
-  }
+  const int axis = 3 - right - up;
+  Int3 low{};
+  Int3 high{block.n[0] - 1, block.n[1] - 1, block.n[2] - 1};
+  low[axis] = std::max(low[axis], first);
+  high[axis] = std::min(high[axis], last);
+  grid::for_window(low, high, [&, right = right, up = up](const Int3& cell) {
+    const Index in_plane =
+        block.start[right] + cell[right] + Index{shape.width} * (block.start[up] + cell[up]);
+    const Index in_block = cell[0] + block.n[0] * (cell[1] + Index{block.n[1]} * cell[2]);
+    visit(static_cast<std::size_t>(in_plane), static_cast<std::size_t>(in_block));
+  });
 }
 
 /// Adds up everybody's part on rank 0; empty elsewhere.
@@ -113,11 +115,9 @@ report::SliceValues gather_mid_slice(std::span<const float> values, std::span<co
                                      const par::Communicator& comm) {
   report::SliceValues slice = empty_slice(domain, axis);
   const int plane = domain.cells[axis] / 2 - block.start[axis];
-  for_plane(slice.shape, block, [&](std::size_t to, std::size_t from, const Int3& cell) {
-    if (cell[axis] == plane) {
-      slice.values[to] = values[from];
-      slice.grain[to] = solid[from] > 0.5F ? 1 : 0;
-    }
+  for_layers(slice.shape, block, plane, plane, [&](std::size_t to, std::size_t from) {
+    slice.values[to] = values[from];
+    slice.grain[to] = solid[from] > 0.5F ? 1 : 0;
   });
   return add_up(std::move(slice), comm);
 }
@@ -127,10 +127,18 @@ report::SliceValues gather_mean_slice(std::span<const float> values, const grid:
                                       const par::Communicator& comm) {
   report::SliceValues slice = empty_slice(domain, axis);
   const auto share = 1.0F / static_cast<float>(domain.cells[axis]);
-  for_plane(slice.shape, block, [&](std::size_t to, std::size_t from, const Int3&) {
-    slice.values[to] += share * values[from];
-  });
+  for_layers(slice.shape, block, 0, block.n[axis] - 1,
+             [&](std::size_t to, std::size_t from) { slice.values[to] += share * values[from]; });
   return add_up(std::move(slice), comm);
+}
+
+std::vector<float> speeds_of(const flow::StokesSolver::CellFields& fields) {
+  std::vector<float> speed(fields.pressure.size());
+  for (std::size_t at = 0; at < speed.size(); ++at) {
+    speed[at] = static_cast<float>(
+        norm(Vec3{fields.velocity[0][at], fields.velocity[1][at], fields.velocity[2][at]}));
+  }
+  return speed;
 }
 
 void draw_fields(const std::string& folder, const config::Case& the_case,
@@ -138,11 +146,7 @@ void draw_fields(const std::string& folder, const config::Case& the_case,
                  const flow::StokesSolver::CellFields& fields, std::span<const float> solid,
                  const grid::Block& block, const io::Provenance& provenance,
                  const par::Communicator& comm) {
-  std::vector<float> speed(fields.pressure.size());
-  for (std::size_t at = 0; at < speed.size(); ++at) {
-    speed[at] = static_cast<float>(
-        norm(Vec3{fields.velocity[0][at], fields.velocity[1][at], fields.velocity[2][at]}));
-  }
+  const std::vector<float> speed = speeds_of(fields);
   struct Subject {
     std::span<const float> values;
     report::PictureStyle style;

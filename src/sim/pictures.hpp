@@ -24,6 +24,9 @@ namespace porefines::sim {
                                                    const grid::Block& block, const Domain& domain,
                                                    int axis, const par::Communicator& comm);
 
+/// |u| in every cell.
+[[nodiscard]] std::vector<float> speeds_of(const flow::StokesSolver::CellFields& fields);
+
 /// The mean along an axis, on rank 0; empty elsewhere. Collective.
 [[nodiscard]] report::SliceValues gather_mean_slice(std::span<const float> values,
                                                     const grid::Block& block, const Domain& domain,

@@ -23,7 +23,6 @@ Prepared prepare(const config::Case& the_case, const par::Communicator& comm) {
   par::Decomposition cut =
       par::decompose(domain.cells, comm.size(), probe.work, the_case.grid.decomposition);
   Plan plan = make_plan(the_case, sample, domain, probe, cut);
-  require_memory(the_case, plan, domain, comm);
   estimate_seconds(the_case, plan, comm);
   std::vector<std::string> fines;
   if (config::is_coupled(the_case)) {
@@ -32,9 +31,9 @@ Prepared prepare(const config::Case& the_case, const par::Communicator& comm) {
     plan.memory += particles.memory;
     plan.memory_most += particles.memory;
     plan.seconds += particles.seconds;
-    require_memory(the_case, plan, domain, comm);
     fines = describe(particles, domain);
   }
+  require_memory(the_case, plan, domain, comm);
   stop_if_asked(comm);
   std::vector<std::string> story = describe(the_case, sample, domain, probe, plan);
   story.insert(story.end(), fines.begin(), fines.end());
@@ -69,7 +68,24 @@ std::vector<float> set_up(flow::StokesSolver& solver, const config::Case& the_ca
   return solid;
 }
 
-void to_case_units(flow::StokesSolver::CellFields& fields, Real scale, Real offset) {
+RunFacts facts_of(const Prepared& prepared, const flow::StokesSolver& solver,
+                  const std::vector<float>& solid, const io::Provenance& provenance,
+                  const par::Communicator& comm) {
+  RunFacts facts;
+  facts.porosity = measure_porosity(prepared.sample, prepared.domain, solver.block(), solid, comm);
+  facts.fluid_cells = solver.fluid_cells();
+  facts.plan = prepared.plan;
+  facts.provenance = provenance;
+  return facts;
+}
+
+void take_cost(RunFacts& facts, const Stopwatch& watch, const par::Communicator& comm) {
+  facts.peak_memory = comm.sum(static_cast<Real>(peak_memory()));
+  facts.wall_time = watch.seconds();
+}
+
+flow::StokesSolver::CellFields case_fields(flow::StokesSolver& solver, Real scale, Real offset) {
+  flow::StokesSolver::CellFields fields = solver.cell_fields();
   for (auto& component : fields.velocity) {
     for (float& value : component) {
       value *= static_cast<float>(scale);
@@ -79,6 +95,7 @@ void to_case_units(flow::StokesSolver::CellFields& fields, Real scale, Real offs
     const Real p = fields.pressure[at] * scale + offset;
     fields.pressure[at] = fields.fluid[at] != 0 ? static_cast<float>(p) : 0;
   }
+  return fields;
 }
 
 }  // namespace porefines::sim

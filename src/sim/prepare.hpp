@@ -6,12 +6,14 @@
 #include <vector>
 
 #include "config/case.hpp"
+#include "core/progress.hpp"
 #include "flow/stokes.hpp"
 #include "geom/build.hpp"
 #include "io/provenance.hpp"
 #include "par/communicator.hpp"
 #include "sim/domain.hpp"
 #include "sim/plan.hpp"
+#include "sim/results.hpp"
 #include "sim/run.hpp"
 #include "sim/steady_flow.hpp"
 
@@ -38,7 +40,16 @@ void show_plan(const config::Case& the_case, const RunOptions& options, const Pr
 [[nodiscard]] std::vector<float> set_up(flow::StokesSolver& solver, const config::Case& the_case,
                                         const Prepared& prepared, const par::Communicator& comm);
 
-/// Fields as the solver holds them -> those of the case: see SteadyFlow::scale and offset.
-void to_case_units(flow::StokesSolver::CellFields& fields, Real scale, Real offset);
+/// What the summary tells besides the flow, but for the cost so far. Collective.
+/// @param solid  share of each cell that is grain
+[[nodiscard]] RunFacts facts_of(const Prepared& prepared, const flow::StokesSolver& solver,
+                                const std::vector<float>& solid, const io::Provenance& provenance,
+                                const par::Communicator& comm);
+/// Wall time and peak memory of all ranks so far. Collective.
+void take_cost(RunFacts& facts, const Stopwatch& watch, const par::Communicator& comm);
+
+/// The fields of a solver as those of the case: see SteadyFlow::scale and offset. Collective.
+[[nodiscard]] flow::StokesSolver::CellFields case_fields(flow::StokesSolver& solver, Real scale,
+                                                         Real offset);
 
 }  // namespace porefines::sim

@@ -117,11 +117,7 @@ Json summarise(const config::Case& the_case, const geom::Sample& sample, const D
 io::FieldWriter open_fields(const std::string& folder, const Domain& domain,
                             const grid::Block& block, const io::Provenance& provenance,
                             const par::Communicator& comm, Start start, Real time) {
-  const io::GridBlock grid{.global_cells = domain.cells,
-                           .origin = domain.origin(),
-                           .spacing = domain.spacing,
-                           .offset = block.start,
-                           .cells = block.n};
+  const io::GridBlock grid = grid_block(domain, block);
   return start == Start::resumed
              ? io::FieldWriter::resume(folder, comm.handle(), grid, provenance, time)
              : io::FieldWriter(folder, comm.handle(), grid, provenance);

@@ -62,8 +62,8 @@ void write_flow(const config::Case& the_case, const std::string& folder, const P
       !config::find_output(the_case, config::OutputKind::pictures)) {
     return;
   }
-  flow::StokesSolver::CellFields fields = solver.cell_fields();
-  to_case_units(fields, solution.scale, solution.offset);
+  const flow::StokesSolver::CellFields fields =
+      case_fields(solver, solution.scale, solution.offset);
   if (config::find_output(the_case, config::OutputKind::fields)) {
     io::FieldWriter writer = open_fields(folder, prepared.domain, solver.block(), provenance, comm);
     write_fields(writer, 0, fields, solid);
@@ -99,13 +99,8 @@ void simulate(const config::Case& the_case, const RunOptions& options,
   const SteadyFlow solution = solve(the_case, domain, solver, folder, comm);
   write_flow(the_case, folder, prepared, solution, solver, solid, provenance, comm);
 
-  RunFacts facts;
-  facts.porosity = measure_porosity(prepared.sample, domain, solver.block(), solid, comm);
-  facts.fluid_cells = solver.fluid_cells();
-  facts.peak_memory = comm.sum(static_cast<Real>(peak_memory()));
-  facts.plan = prepared.plan;
-  facts.wall_time = watch.seconds();
-  facts.provenance = provenance;
+  RunFacts facts = facts_of(prepared, solver, solid, provenance, comm);
+  take_cost(facts, watch, comm);
   stop_if_asked(comm);
   on_root(comm, [&] {
     write_file(folder + "/summary.json",

@@ -18,12 +18,19 @@ Log open_folder(const std::string& folder, const config::Case& the_case,
   const bool resumed = start == Start::resumed;
   on_root(comm, [&] {
     make_folder(folder);
-    for (const std::string stale : {"summary.json", "speed.png", "pressure.png", "particles.png"}) {
+    const auto remove = [&](const std::string& stale) {
       std::filesystem::remove(folder + "/" + stale);
+    };
+    for (const std::string stale :
+         {"summary.json", "speed.png", "pressure.png", "particles.png", "particles_speed.png"}) {
+      remove(stale);
     }
     if (!resumed) {
-      std::filesystem::remove(folder + "/series.csv");
-      std::filesystem::remove(folder + "/tracks.csv");
+      for (const std::string stale :
+           {"series.csv", "tracks.csv", "clogging.csv", "retention.csv", "throats_pressure.csv",
+            "throats.csv", "pores.csv", "movie.mp4"}) {
+        remove(stale);
+      }
       io::remove_checkpoints(folder);
     }
     write_file(folder + "/case.toml", config::effective_case(the_case));

@@ -219,6 +219,19 @@ Real sample_pressure_drop(const Domain& domain, const flow::Drive& drive,
   return analysis::window_pressure_drop(layers, window, faces[0], faces[1]);
 }
 
+DarcyFlow measure_darcy(const config::Case& the_case, const Domain& domain,
+                        const flow::Drive& drive, const flow::StokesSolver& solver) {
+  DarcyFlow out;
+  const std::vector<Real> fluxes = solver.plane_fluxes(domain.axis);
+  out.flow_rate = analysis::mean(fluxes);
+  out.flux_variation = analysis::flux_variation(fluxes);
+  out.pressure_drop = the_case.flow.inlet ? sample_pressure_drop(domain, drive, solver)
+                                          : drive.force[domain.axis] * domain.length();
+  out.permeability = analysis::darcy_permeability(
+      {out.flow_rate, domain.area(), domain.length(), out.pressure_drop, the_case.fluid.viscosity});
+  return out;
+}
+
 SteadyFlow solve_steady_flow(const config::Case& the_case, const Domain& domain,
                              flow::StokesSolver& solver, const par::Communicator& comm) {
   SteadyFlow result;

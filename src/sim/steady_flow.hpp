@@ -44,6 +44,17 @@ struct OpeningDrive {
 [[nodiscard]] Real sample_pressure_drop(const Domain& domain, const flow::Drive& drive,
                                         const flow::StokesSolver& solver);
 
+/// The flow of the last solve between the planes where the sample begins and ends.
+struct DarcyFlow {
+  Real flow_rate = 0;       ///< [m^3/s] along +axis
+  Real flux_variation = 0;  ///< (max - min) / mean over the planes normal to the flow
+  Real pressure_drop = 0;   ///< [Pa] over the sample
+  Real permeability = 0;    ///< [m^2] k = mu (Q/A) L / dp; not finite where nothing drops
+};
+/// Collective.
+[[nodiscard]] DarcyFlow measure_darcy(const config::Case& the_case, const Domain& domain,
+                                      const flow::Drive& drive, const flow::StokesSolver& solver);
+
 /// Solves the case and measures it. Collective; the results are the same on every rank.
 ///
 /// Periodic:  k = mu U / G with the mean gradient G.

@@ -81,10 +81,7 @@ class Coupled : public ::testing::Test {
     write_file(folder_ / "pillars.txt", "20 0 8\n20 24 8\n");
     std::vector<std::string> words{PF_BINARY, "run", "case.toml"};
     words.insert(words.end(), more.begin(), more.end());
-    if (ranks > 1) {
-      words.insert(words.begin(), {"mpirun", "--oversubscribe", "-n", std::to_string(ranks)});
-    }
-    return run_in(folder_.path(), words);
+    return run_on(ranks, folder_, words);
   }
   void place(double diameter) const {
     write_file(folder_ / "fine.csv",

@@ -20,14 +20,10 @@ using test::read_text;
 /// Runs a bundled case into `folder`/out; returns summary.json.
 std::string run_case(const test::Scratch& folder, const std::string& name, int ranks,
                      const std::vector<std::string>& overrides) {
-  std::vector<std::string> words;
-  if (ranks > 1) {
-    words = {"mpirun", "--oversubscribe", "-n", std::to_string(ranks)};
-  }
-  words.insert(words.end(),
-               {PF_BINARY, "run", PF_SOURCE_DIR "/cases/" + name + "/case.toml", "-o", "out"});
+  std::vector<std::string> words{PF_BINARY, "run", PF_SOURCE_DIR "/cases/" + name + "/case.toml",
+                                 "-o", "out"};
   words.insert(words.end(), overrides.begin(), overrides.end());
-  const auto result = test::run_in(folder.path(), words);
+  const auto result = test::run_on(ranks, folder, words);
   EXPECT_EQ(result.exit_code, 0) << result.output;
   return read_text(folder / "out/summary.json");
 }

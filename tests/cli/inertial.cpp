@@ -50,11 +50,8 @@ class Inertial : public ::testing::Test {
   }
   [[nodiscard]] ProgramResult run(const std::vector<std::string>& more, int ranks = 1) const {
     std::vector<std::string> words{PF_BINARY, "run", "case.toml"};
-    if (ranks > 1) {
-      words.insert(words.begin(), {"mpirun", "--oversubscribe", "-n", std::to_string(ranks)});
-    }
     words.insert(words.end(), more.begin(), more.end());
-    return run_in(folder_.path(), words);
+    return run_on(ranks, folder_, words);
   }
   [[nodiscard]] std::string text(const std::string& name) const {
     return read_text(folder_ / name);

@@ -15,6 +15,14 @@
 
 namespace porefines::test {
 
+/// Runs a command in a folder, on several ranks by mpirun.
+inline ProgramResult run_on(int ranks, const Scratch& folder, std::vector<std::string> words) {
+  if (ranks > 1) {
+    words.insert(words.begin(), {"mpirun", "--oversubscribe", "-n", std::to_string(ranks)});
+  }
+  return run_in(folder.path(), words);
+}
+
 inline std::string read_text(const std::string& path) {
   std::ifstream file(path);
   std::ostringstream text;
