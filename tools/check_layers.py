@@ -17,6 +17,7 @@ SEES = {
     "report": {"core", "config", "io", "analysis", "geom"},
     "vision": {"core", "config", "io", "report"},
     "sim": {"core", "config", "par", "grid", "geom", "flow", "dem", "io", "analysis", "report"},
+    "page": {"core", "config", "geom", "io", "sim"},
 }
 
 

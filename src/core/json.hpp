@@ -25,6 +25,8 @@ class Json {
   void set(std::string_view key, Integer value) {
     set_raw(key, std::to_string(value));
   }
+  /// A value that is JSON already: an object, a list.
+  void set_json(std::string_view key, std::string json) { set_raw(key, std::move(json)); }
 
   [[nodiscard]] std::string text() const;
 

@@ -23,4 +23,11 @@ struct FieldVolume {
 /// Test: vision/flow_field.
 [[nodiscard]] FieldVolume read_last_field(const std::string& folder, const std::string& name);
 
+/// The plane of cells nearest to the middle of such a field, normal to `axis`; reads that plane alone.
+/// In the result cells[axis] is 1 and origin lies at the plane's low corner. One rank.
+/// @throws InputError  as read_last_field
+/// Test: cli/report (page_shows_the_run).
+[[nodiscard]] FieldVolume read_last_plane(const std::string& folder, const std::string& name,
+                                          int axis);
+
 }  // namespace porefines::io

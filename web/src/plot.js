@@ -1,0 +1,98 @@
+// Figures: a plot, its number and caption, and its files as SVG, PNG and CSV.
+import Plotly from "plotly.js-cartesian-dist-min";
+import { h, save } from "./dom.js";
+import { onTheme, palette, template } from "./theme.js";
+
+/** Every figure of the page by its name, for the tests and for the theme. */
+export const figures = new Map();
+
+const config = {
+  responsive: true,
+  displaylogo: false,
+  scrollZoom: false,
+  modeBarButtonsToRemove: ["toImage", "select2d", "lasso2d", "autoScale2d"],
+};
+
+function themed(layout, name) {
+  return {
+    margin: { l: 64, r: 16, t: 28, b: 52 },
+    hovermode: "closest",
+    ...layout,
+    template: template(name),
+  };
+}
+
+/** Columns { name: [values] } as CSV. */
+export function csvText(columns) {
+  const names = Object.keys(columns);
+  const rows = Math.max(0, ...names.map((name) => columns[name].length));
+  const lines = [names.join(",")];
+  for (let row = 0; row < rows; ++row) {
+    lines.push(names.map((name) => columns[name][row] ?? "").join(","));
+  }
+  return `${lines.join("\n")}\n`;
+}
+
+async function saveImage(figure, format) {
+  const { layout } = figure;
+  const width = 900;
+  const height = Math.round((width * (figure.plot.clientHeight || 400)) / (figure.plot.clientWidth || 900));
+  const address = await Plotly.toImage(
+    { data: figure.traces(), layout: { ...themed(layout(), "light"), paper_bgcolor: palette("light").paper } },
+    { format, width, height: Math.max(height, 320), scale: format === "png" ? 2 : 1 },
+  );
+  save(`${figure.name}.${format}`, await (await fetch(address)).blob());
+}
+
+function tools(figure) {
+  const button = (text, label, action) =>
+    h("button", { type: "button", title: label, "aria-label": label, onclick: action }, text);
+  return h("span", { class: "tools" },
+    button("SVG", "Save this figure as SVG", () => saveImage(figure, "svg")),
+    button("PNG", "Save this figure as PNG", () => saveImage(figure, "png")),
+    button("CSV", "Save the data of this figure as CSV", () =>
+      save(`${figure.name}.csv`, new Blob([csvText(figure.csv)], { type: "text/csv" }))));
+}
+
+/** Numbers and captions a figure whose content is `inside`. */
+export function frame(name, inside, caption, toolbar = null) {
+  return h("figure", { id: name }, inside,
+    h("figcaption", {}, h("b", {}, "Figure "), h("b", { class: "figure-number" }, ""), " ", caption, toolbar ? " " : "", toolbar));
+}
+
+/**
+ * @param traces, layout  functions, so that colours follow the theme
+ * @param csv             columns of what is shown, in SI
+ */
+export function addFigure(parent, { name, caption, traces, layout, csv, height = 340 }) {
+  const plot = h("div", { class: "plot", style: `height:${height}px` });
+  const figure = { name, plot, traces, layout, csv };
+  figures.set(name, figure);
+  parent.append(frame(name, plot, caption, tools(figure)));
+  figure.draw = () => Plotly.react(plot, traces(), themed(layout()), config);
+  return figure;
+}
+
+export async function drawFigures() {
+  document.querySelectorAll(".figure-number").forEach((place, k) => {
+    place.textContent = `${k + 1}.`;
+  });
+  for (const figure of figures.values()) {
+    await figure.draw();
+  }
+  onTheme(() => figures.forEach((figure) => figure.draw()));
+}
+
+/** A line of a series, scaled to its unit; the test finds its column by `meta`. */
+export function line(column, x, y, { name, factor = 1, xFactor = 1, ...more } = {}) {
+  return {
+    type: "scatter",
+    mode: "lines",
+    name: name ?? column,
+    x: x.map((value) => (value === null ? null : value / xFactor)),
+    y: y.map((value) => (value === null ? null : value / factor)),
+    meta: { column, factor, xFactor },
+    hovertemplate: "%{y:.4g}<extra>%{fullData.name}</extra>",
+    ...more,
+  };
+}
