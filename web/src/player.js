@@ -19,7 +19,7 @@ export class Player {
     this.frames = new Frames(data.tracks);
     this.at = 0;
     this.rate = 1;
-    this.colouring = "fate";
+    this.colouring = data.kind === "dry" ? "speed" : "fate";
     this.playing = false;
     this.buildControls();
   }
@@ -38,6 +38,7 @@ export class Player {
         choice("View", this.views(), (value) => this.scene?.look(value === "above"))),
       this.legend);
     this.element.querySelector('[aria-label="Speed"]').value = "1";
+    this.element.querySelector('[aria-label="Colour"]').value = this.colouring;
   }
 
   views() {

@@ -13,9 +13,10 @@ const config = {
   modeBarButtonsToRemove: ["toImage", "select2d", "lasso2d", "autoScale2d"],
 };
 
-function themed(layout, name) {
+function themed(layout, traces, name) {
+  const legend = layout.showlegend ?? traces.length > 1;
   return {
-    margin: { l: 64, r: 16, t: 28, b: 52 },
+    margin: { l: 60, r: 16, t: legend ? 40 : 12, b: 48 },
     hovermode: "closest",
     ...layout,
     template: template(name),
@@ -34,13 +35,11 @@ export function csvText(columns) {
 }
 
 async function saveImage(figure, format) {
-  const { layout } = figure;
   const width = 900;
-  const height = Math.round((width * (figure.plot.clientHeight || 400)) / (figure.plot.clientWidth || 900));
-  const address = await Plotly.toImage(
-    { data: figure.traces(), layout: { ...themed(layout(), "light"), paper_bgcolor: palette("light").paper } },
-    { format, width, height: Math.max(height, 320), scale: format === "png" ? 2 : 1 },
-  );
+  const data = figure.traces();
+  const layout = { ...themed(figure.layout(), data, "light"), paper_bgcolor: palette("light").paper };
+  const size = { width, height: figure.height(width), scale: format === "png" ? 2 : 1 };
+  const address = await Plotly.toImage({ data, layout }, { format, ...size });
   save(`${figure.name}.${format}`, await (await fetch(address)).blob());
 }
 
@@ -63,13 +62,19 @@ export function frame(name, inside, caption, toolbar = null) {
 /**
  * @param traces, layout  functions, so that colours follow the theme
  * @param csv             columns of what is shown, in SI
+ * @param height          pixels, or a function of the width
  */
 export function addFigure(parent, { name, caption, traces, layout, csv, height = 340 }) {
-  const plot = h("div", { class: "plot", style: `height:${height}px` });
-  const figure = { name, plot, traces, layout, csv };
+  const plot = h("div", { class: "plot" });
+  const figure = { name, plot, traces, layout, csv, height: typeof height === "function" ? height : () => height };
   figures.set(name, figure);
   parent.append(frame(name, plot, caption, tools(figure)));
-  figure.draw = () => Plotly.react(plot, traces(), themed(layout()), config);
+  figure.fit = () => { plot.style.height = `${Math.round(figure.height(plot.clientWidth))}px`; };
+  figure.draw = () => {
+    const data = traces();
+    figure.fit();
+    return Plotly.react(plot, data, themed(layout(), data), config);
+  };
   return figure;
 }
 
@@ -81,6 +86,7 @@ export async function drawFigures() {
     await figure.draw();
   }
   onTheme(() => figures.forEach((figure) => figure.draw()));
+  addEventListener("resize", () => figures.forEach((figure) => figure.fit()));
 }
 
 /** A line of a series, scaled to its unit; the test finds its column by `meta`. */

@@ -75,19 +75,19 @@ export function template(name = theme()) {
     ticks: "outside",
     ticklen: 4,
     showline: true,
-    title: { standoff: 8 },
+    title: { standoff: 8, font: { size: 13 } },
     automargin: true,
   };
   return {
     layout: {
-      font: { family: "system-ui, -apple-system, 'Segoe UI', Roboto, sans-serif", size: 13, color: colours.ink },
+      font: { family: "system-ui, -apple-system, 'Segoe UI', Roboto, sans-serif", size: 12, color: colours.ink },
       paper_bgcolor: "rgba(0,0,0,0)",
       plot_bgcolor: "rgba(0,0,0,0)",
       colorway: [hue.blue, hue.vermilion, hue.green, hue.purple, hue.orange, hue.sky],
       xaxis: axis,
       yaxis: axis,
       hoverlabel: { bgcolor: colours.paper, bordercolor: colours.line, font: { color: colours.ink } },
-      legend: { orientation: "h", y: 1.02, yanchor: "bottom", x: 0, bgcolor: "rgba(0,0,0,0)" },
+      legend: { orientation: "h", traceorder: "normal", y: 1.02, yanchor: "bottom", x: 0, bgcolor: "rgba(0,0,0,0)" },
     },
   };
 }

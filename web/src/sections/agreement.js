@@ -4,7 +4,7 @@ import { number, percent, quantity } from "../units.js";
 export function agreement(data) {
   const a = data.agreement;
   if (!a) {
-    return { title: "Agreement with a video", missing: "No agreement.json is here: `porefines compare RUN TRACKS -o RUN/compare` writes one." };
+    return { title: "Agreement with a video", missing: "No agreement.json is here; porefines compare RUN TRACKS -o RUN/compare writes one." };
   }
   return {
     id: "agreement",

@@ -55,7 +55,7 @@ function addMap(section, data, state) {
   const { factor, unit } = unitFor(Math.max(...size), "m");
   return addFigure(section, {
     name: "clogging-map",
-    height: Math.round(Math.min(560, Math.max(260, (820 * size[1]) / size[0] + 90))),
+    height: (width) => Math.min(600, ((width - 80) * size[1]) / size[0] + 90),
     caption: "Where throats clogged, seen along z. Choose a row below to find its place here and in the player.",
     csv: Object.fromEntries(Object.keys(events[0]).map((name) => [name, events.map((event) => event[name])])),
     traces: () => [

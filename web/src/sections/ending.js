@@ -36,7 +36,7 @@ export function cite(data) {
         h("p", {}, `The porefines maintainers (${year}). porefines: fines migration at the pore scale, from an image to clogging. Version ${
           s.version ?? data.version}, commit ${s.commit ?? "unknown"}. MPL-2.0. State the case (above), the seed and the number of ranks: the same three give the same digits.`),
         h("p", {}, "The method grew from: A. Elrahmani (2021), thesis, Qatar University."),
-        data.reference ? h("p", {}, `This case: ${data.reference}.`) : null,
+        data.reference ? h("p", {}, `This case: ${data.reference}.`) : "",
         h("p", { class: "colophon" }, "Plots: Plotly.js. Player: three.js. This file is complete: it needs no network."));
     },
   };

@@ -1,9 +1,15 @@
 import { h } from "../dom.js";
 import { addFigure, frame } from "../plot.js";
 import { palette } from "../theme.js";
-import { quantity, unitFor } from "../units.js";
+import { quantity as worded, unitFor } from "../units.js";
 
 const scales = { speed: "Viridis", pressure: "Cividis" };
+
+/** The end of a colour scale that a few fast cells do not stretch. */
+function upperEnd(values) {
+  const sorted = values.filter((value) => !Number.isNaN(value)).sort();
+  return sorted[Math.floor(0.998 * (sorted.length - 1))] ?? 1;
+}
 
 /** One quantity on one plane: cells in colour, grains in grey. */
 function addMap(parent, map, kind) {
@@ -20,9 +26,9 @@ function addMap(parent, map, kind) {
   const name = `${map.quantity}-${map.normal}`;
   addFigure(parent, {
     name,
-    height: Math.round(Math.min(680, Math.max(240, 860 * aspect + 90))),
+    height: (width) => Math.min(680, (width - 150) * aspect + 64),
     caption: `${map.quantity === "speed" ? "Speed of the water" : "Pressure"} on the plane ${map.normal} = ${
-      quantity(map.position_m, "m", 3)}${kind === "inertial" || kind === "coupled" ? `, at ${quantity(map.time_s, "s", 3)}` : ""}; grains are grey.${
+      worded(map.position_m, "m", 3)}${kind === "inertial" || kind === "coupled" ? `, at ${worded(map.time_s, "s", 3)}` : ""}; grains are grey.${
       map.thinned > 1 ? ` Every ${map.thinned}th cell is drawn.` : ""}`,
     csv: {
       [`${right}_m`]: rows.flatMap((row) => row.map((_, k) => map.low_m[0] + k * map.step_m[0])),
@@ -34,6 +40,8 @@ function addMap(parent, map, kind) {
       x: along(0, width),
       y: along(1, height),
       z: rows,
+      zmin: map.range[0] / values.factor,
+      zmax: upperEnd(map.values) / values.factor,
       zsmooth: false,
       colorscale: scales[map.quantity],
       meta: { column: map.quantity, factor: values.factor },
@@ -62,12 +70,19 @@ export function flow(data) {
       id: "flow",
       title: "Flow",
       fill(section) {
-        data.maps.forEach((map) => addMap(section, map, data.kind));
+        for (const quantity of ["speed", "pressure"]) {
+          const maps = data.maps.filter((map) => map.quantity === quantity);
+          const place = maps.length > 1 ? h("div", { class: "pair" }) : section;
+          maps.forEach((map) => addMap(place, map, data.kind));
+          if (place !== section) {
+            section.append(place);
+          }
+        }
       },
     };
   }
   if (data.pictures.length > 0 && data.kind !== "dry") {
-    return { id: "flow", title: "Flow", fill: (section) => data.pictures.forEach((picture) => addPicture(section, picture)) };
+    return { id: "flow", title: "Flow", fill: (section) => data.pictures.filter(({ name }) => name !== "particles" || !data.tracks).forEach((picture) => addPicture(section, picture)) };
   }
   return {
     title: "Pictures of the flow",

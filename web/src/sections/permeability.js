@@ -67,7 +67,7 @@ function addDrive(section, data) {
       margin: { l: 64, r: 64, t: 36, b: 52 },
       xaxis: { title: { text: axis.title } },
       yaxis: { title: { text: `flow rate (${rates.unit})` }, rangemode: "tozero" },
-      yaxis2: { title: { text: `pressure drop (${drops.unit})` }, overlaying: "y", side: "right", rangemode: "tozero", showgrid: false },
+      yaxis2: { title: { text: `pressure drop (${drops.unit})` }, overlaying: "y", side: "right", tickmode: "auto", rangemode: "tozero", showgrid: false },
     }),
   });
 }

@@ -9,7 +9,9 @@ const meanings = "piping: moves, or has left; bridging: in an arch; clogged: sie
 
 function addShares(section, data) {
   const axis = abscissa(data);
-  const shares = fates.map((fate) => column(data, `${fate}_share`));
+  const came = column(data, "particles_injected");
+  const shares = fates.map((fate) =>
+    column(data, `${fate}_share`).map((share, k) => (came[k] > 0 ? share : null))); // of nobody there is no share
   addFigure(section, {
     name: "fates",
     caption: `What became of all fines that ever came in (${meanings}).${thinning(data)}`,
@@ -53,7 +55,7 @@ export function retention(data) {
       const grid = h("div", { class: "pair" });
       section.append(grid);
       addProfile(grid, "retention-profile", {
-        x, xTitle, title: "volume of retained fines / pores (%)", factor: 0.01, colour: hue.vermilion,
+        x, xTitle, title: "retained / pore volume (%)", factor: 0.01, colour: hue.vermilion,
         csv: { x_m: profile.x_m, retained: profile.retained, retained_fraction: profile.retained_fraction, suspended_fraction: profile.suspended_fraction },
         values: [{ column: "retained_fraction", y: profile.retained_fraction, label: "retained" }],
         caption: "Retention profile at the end of the run: retained fines by volume, per pore volume of each slice.",
