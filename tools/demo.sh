@@ -42,6 +42,8 @@ echo "  $OUT/speed.png, pressure.png     pictures of the flow"
 echo "  $OUT/geometry/                   pictures and numbers of the pores"
 echo "  $OUT/summary.json                every number"
 echo "  $OUT/fields.xdmf                 opens in ParaView"
+"$PF" report "$OUT" >/dev/null
+"$PF" report "$OUT/fines" >/dev/null
 fines() {
   printf "$2" "$(sed -n "s/^ *\"$1\": \([^,]*\),*$/\1/p" "$OUT/fines/summary.json")"
 }
@@ -51,6 +53,9 @@ echo "  $OUT/fines/movie.mp4             how they came there"
 echo "  $OUT/fines/clogging.csv          which throat clogged when, by whom"
 echo "  $OUT/fines/series.csv            k/k0, concentrations, spread against pore volumes"
 echo "  $OUT/fines/tracks.csv            every fine's way"
+echo
+echo "Open in a browser, also offline: everything above on one page, with plots and a player of the fines"
+echo "  $OUT/fines/report.html, $OUT/report.html"
 echo
 echo "Next: put your own image and its pixel size into a copy of $CASE/case.toml, and"
 echo "  $PF run CASE.toml --dry-run   tells what it will cost before it runs."

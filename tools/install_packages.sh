@@ -5,11 +5,14 @@ packages=(
   build-essential cmake ninja-build ccache pkg-config git python3
   libopenmpi-dev openmpi-bin libhdf5-openmpi-dev
   libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev libopencv-videoio-dev
-  libtiff-dev libpng-dev
+  libtiff-dev libpng-dev zlib1g-dev
   libavformat-dev libavcodec-dev libswscale-dev
   libcli11-dev libfmt-dev libtomlplusplus-dev
   libgtest-dev libbenchmark-dev clang clang-format clang-tidy libclang-rt-14-dev
 )
+# The page of reports: npm fetches and esbuild bundles its libraries; chromium is for its tests.
+command -v npm >/dev/null || packages+=(nodejs npm)
+command -v chromium >/dev/null || packages+=(chromium)
 missing=()
 for package in "${packages[@]}"; do
   dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q '^install ok installed' || missing+=("$package")
