@@ -8,6 +8,7 @@ packages=(
   libtiff-dev libpng-dev zlib1g-dev
   libavformat-dev libavcodec-dev libswscale-dev
   libcli11-dev libfmt-dev libtomlplusplus-dev
+  python3-numpy python3-h5py
   libgtest-dev libbenchmark-dev clang clang-format clang-tidy libclang-rt-14-dev
 )
 # The page of reports: npm fetches and esbuild bundles its libraries; chromium is for its tests.

@@ -108,7 +108,7 @@ std::string pictures(const std::string& folder) {
 /// agreement.json beside the run, or in a folder of porefines compare below it.
 std::string agreement(const std::string& folder) {
   for (const std::string place : {"", "/compare", "/compared"}) {
-    const std::string text = text_of(folder + place + "/agreement.json");
+    std::string text = text_of(folder + place + "/agreement.json");
     if (!text.empty()) {
       return text;
     }

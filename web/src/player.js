@@ -144,6 +144,10 @@ export class Player {
     const patch = (colour, text) => h("span", {}, h("i", { style: `background:${colour}` }), text);
     this.legend.replaceChildren(...(this.colouring === "speed"
       ? [h("span", {}, h("i", { class: "ramp" }), `0 to ${quantity(this.data.tracks.fastest_m_s, "m/s", 3)}`)]
-      : [patch(fateHue.piping, "moving"), patch(fateHue.bridging, "retained"), patch(fateHue.clogged, "blocks a throat")]));
+      : [
+        patch(fateHue.piping, "moving"),
+        this.data.tracks.state.includes(1) ? patch(fateHue.bridging, "held") : "",
+        this.data.clogging?.length ? patch(fateHue.clogged, "blocks a throat") : "",
+      ]));
   }
 }
