@@ -102,6 +102,8 @@ int main(int argc, char** argv) {
 #endif
   // Started alone, Open MPI would start a daemon for processes to come: none do, and it costs 0.1 s.
   ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+  // Nobody shares a file pointer, and two runs at a time would complain of each other's.
+  ::setenv("OMPI_MCA_sharedfp", "^sm", 0);
   MPI_Init(&argc, &argv);
   MPI_Comm ending = MPI_COMM_NULL;
   MPI_Comm_dup(MPI_COMM_WORLD, &ending);

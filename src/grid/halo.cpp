@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
+#include <vector>
 
 namespace porefines::grid {
 
@@ -102,33 +104,29 @@ void Halo::exchange(std::span<float* const> fields, int depth) {
 void Halo::wrap_axis(std::span<float* const> fields, int axis, int depth) {
   const int n = block_.n[axis];
   const std::ptrdiff_t step = block_.stride(axis);
-  const auto source = [n](int layer) { return ((layer % n) + n) % n; };
+  std::vector<std::pair<int, int>> copies;  // to a ghost layer, from the layer that it repeats
+  for (int layer = -depth; layer <= n + depth; ++layer) {
+    if (layer < 0 || layer >= n) {
+      copies.emplace_back(layer, ((layer % n) + n) % n);
+    }
+  }
   for (float* field : fields) {
     if (axis == 0) {  // a few values per row: one pass over the rows
       for_rows(layers(block_, axis, 0, 1, depth), [&](int j, int k) {
         float* row = field + block_.at(0, j, k);
-        for (int layer = 1; layer <= depth; ++layer) {
-          row[-layer] = row[source(-layer)];
-        }
-        for (int layer = n; layer <= n + depth; ++layer) {
-          row[layer] = row[source(layer)];
+        for (const auto& [to, from] : copies) {
+          row[to] = row[from];
         }
       });
       continue;
     }
-    const auto copy_layer = [&](int to) {
+    for (const auto& [to, from] : copies) {
       const Region r = layers(block_, axis, to, to + 1, depth);
       const int width = r.last[0] - r.first[0];
-      for_rows(r, [&](int j, int k) {
+      for_rows(r, [&, way = (from - to) * step](int j, int k) {
         float* row = field + block_.at(r.first[0], j, k);
-        std::memcpy(row, row + (source(to) - to) * step, sizeof(float) * width);
+        std::memcpy(row, row + way, sizeof(float) * width);
       });
-    };
-    for (int layer = 1; layer <= depth; ++layer) {
-      copy_layer(-layer);
-    }
-    for (int layer = n; layer <= n + depth; ++layer) {
-      copy_layer(layer);
     }
   }
 }
