@@ -15,6 +15,7 @@ SEES = {
     "io": {"core", "par", "grid"},
     "analysis": {"core", "par", "grid", "geom", "io"},
     "report": {"core", "config", "io", "analysis", "geom"},
+    "study": {"core", "config", "io", "analysis", "report"},
     "vision": {"core", "config", "io", "report"},
     "sim": {"core", "config", "par", "grid", "geom", "flow", "dem", "io", "analysis", "report"},
     "page": {"core", "config", "geom", "io", "sim"},

@@ -13,6 +13,9 @@ void add_run(CLI::App& app, int& exit_code);
 void add_inspect(CLI::App& app, int& exit_code);
 void add_generate(CLI::App& app, int& exit_code);
 void add_report(CLI::App& app, int& exit_code);
+void add_study(CLI::App& app, int& exit_code);
+void add_fit(CLI::App& app, int& exit_code);
+void add_scale(CLI::App& app, int& exit_code);
 void add_reference(CLI::App& app, int& exit_code);
 void add_track(CLI::App& app, int& exit_code);
 void add_compare(CLI::App& app, int& exit_code);
@@ -27,7 +30,7 @@ inline constexpr const char* about_synthesize =
 /// Every sub-command, in the order of the help text. A new one is a file and a line here.
 inline constexpr void (*commands[])(CLI::App&, int&) = {
 #ifndef PF_VISION
-    add_run,   add_report,  add_inspect,   add_generate, add_reference,
+    add_run,   add_report,  add_inspect,   add_generate, add_study, add_fit, add_scale, add_reference,
 #endif
     add_track, add_compare, add_synthesize};
 

@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "core/error.hpp"
+
 namespace porefines {
 namespace {
 
@@ -22,6 +24,17 @@ void print(const std::string& message) {
 }
 
 }  // namespace
+
+void require_one_rank(const std::string& command, const std::string& hint) {
+  int ranks = 1;
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  if (ranks > 1) {
+    throw InputError(
+        fmt::format("porefines {} starts its own processes, but mpirun started {} of it\nrun it "
+                    "without mpirun; {}",
+                    command, ranks, hint));
+  }
+}
 
 int end_together(MPI_Comm comm, int exit_code, const std::string& message) {
   const bool failed = !message.empty();

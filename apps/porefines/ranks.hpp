@@ -18,4 +18,8 @@ namespace porefines {
 /// @return         the exit code of the program
 [[nodiscard]] int end_together(MPI_Comm comm, int exit_code, const std::string& message);
 
+/// For commands that start processes of their own.
+/// @throws InputError  on every rank, when mpirun started more than one
+void require_one_rank(const std::string& command, const std::string& hint);
+
 }  // namespace porefines

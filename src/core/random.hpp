@@ -16,7 +16,14 @@ namespace porefines {
                                                   std::array<std::uint32_t, 2> key);
 
 /// What a sequence of random numbers is for: the same particle draws its size and its place apart.
-enum class Stream : std::uint32_t { size = 1, place = 2, packing = 3, brownian = 4, motion = 5 };
+enum class Stream : std::uint32_t {
+  size = 1,
+  place = 2,
+  packing = 3,
+  brownian = 4,
+  motion = 5,
+  bootstrap = 6
+};
 
 /// The random numbers that belong to (seed, stream, id): the n-th is always the same, whoever asks,
 /// on any number of ranks and in any order. Its whole state is how many were drawn.

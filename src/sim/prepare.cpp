@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "core/atomic_file.hpp"
+#include "core/json.hpp"
 #include "core/log.hpp"
 #include "core/memory.hpp"
 #include "sim/grains.hpp"
@@ -44,6 +45,12 @@ void show_plan(const config::Case& the_case, const RunOptions& options, const Pr
                const io::Provenance& provenance, const par::Communicator& comm) {
   on_root(comm, [&] {
     make_folder(options.output_dir);
+    Json plan;
+    plan.set("cells", prepared.plan.cells);
+    plan.set("memory_bytes", prepared.plan.memory);
+    plan.set("memory_most_bytes", prepared.plan.memory_most);
+    plan.set("seconds", prepared.plan.seconds);
+    write_file(options.output_dir + "/plan.json", plan.text());
     draw_sample(options.output_dir, the_case, prepared.sample, prepared.domain, provenance);
     Log log("", &std::cout);
     for (const std::string& line : prepared.story) {

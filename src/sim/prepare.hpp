@@ -32,7 +32,7 @@ struct Prepared {
 /// @throws InputError  also when the machine cannot hold it
 [[nodiscard]] Prepared prepare(const config::Case& the_case, const par::Communicator& comm);
 
-/// --dry-run: the numbers and a picture of the geometry. Collective.
+/// --dry-run: the numbers, also as plan.json, and a picture of the geometry. Collective.
 void show_plan(const config::Case& the_case, const RunOptions& options, const Prepared& prepared,
                const io::Provenance& provenance, const par::Communicator& comm);
 
