@@ -16,6 +16,7 @@ SEES = {
     "analysis": {"core", "par", "grid", "geom", "io"},
     "report": {"core", "config", "io", "analysis", "geom"},
     "study": {"core", "config", "io", "analysis", "report"},
+    "scale": {"core", "par", "io", "report"},
     "vision": {"core", "config", "io", "report"},
     "sim": {"core", "config", "par", "grid", "geom", "flow", "dem", "io", "analysis", "report"},
     "page": {"core", "config", "geom", "io", "sim"},

@@ -88,6 +88,7 @@ RunFacts facts_of(const Prepared& prepared, const flow::StokesSolver& solver,
 
 void take_cost(RunFacts& facts, const Stopwatch& watch, const par::Communicator& comm) {
   facts.peak_memory = comm.sum(static_cast<Real>(peak_memory()));
+  facts.traffic = par::share_traffic(par::traffic(), comm);
   facts.wall_time = watch.seconds();
 }
 

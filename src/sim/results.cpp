@@ -100,9 +100,18 @@ Json summarise(const config::Case& the_case, const geom::Sample& sample, const D
   json.set("flux_cycles", flow.solve.flux_cycles);
   json.set("solver_residual", flow.solve.residual);
   json.set("cells", product(domain.cells));
+  json.set("cells_x", domain.cells[0]);
+  json.set("cells_y", domain.cells[1]);
+  json.set("cells_z", domain.cells[2]);
   json.set("fluid_cells", facts.fluid_cells);
   json.set("ranks", facts.provenance.ranks);
   json.set("wall_time_s", facts.wall_time);
+  json.set("time_halo_s", facts.traffic.halo);
+  json.set("time_reductions_s", facts.traffic.reductions);
+  json.set("time_waiting_s", facts.traffic.waiting);
+  json.set("messages_per_rank", facts.traffic.messages);
+  json.set("message_bytes_per_rank", facts.traffic.bytes);
+  json.set("collectives_per_rank", facts.traffic.collectives);
   json.set("peak_memory_bytes", static_cast<Index>(facts.peak_memory));
   json.set("planned_memory_bytes", static_cast<Index>(facts.plan.memory));
   json.set("planned_memory_most_bytes", static_cast<Index>(facts.plan.memory_most));

@@ -11,6 +11,7 @@
 #include "io/fields.hpp"
 #include "io/provenance.hpp"
 #include "par/communicator.hpp"
+#include "par/traffic.hpp"
 #include "sim/domain.hpp"
 #include "sim/grains.hpp"
 #include "sim/plan.hpp"
@@ -25,6 +26,7 @@ struct RunFacts {
   Index fluid_cells = 0;
   Real wall_time = 0;    ///< [s]
   Real peak_memory = 0;  ///< [bytes] all ranks together
+  par::TrafficShares traffic = {};
   Plan plan;
   io::Provenance provenance;
 };

@@ -38,7 +38,8 @@ std::string effective(const Study& study, const Member& member) {
   try {
     config::Case the_case = config::load_case(study.case_file, member.settings);
     the_case.run.output_dir = "member";
-    return config::effective_case(the_case);
+    const std::string text = config::effective_case(the_case);
+    return text.substr(text.find('\n'));  // without the comment that names the file
   } catch (const InputError& error) {
     std::string where = study.path;
     for (const Axis& axis : study.axes) {

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MPL-2.0
+#include <memory>
+#include <string>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include "commands.hpp"
+#include "ranks.hpp"
+#include "study/fit_run.hpp"
+
+namespace porefines {
+
+void add_fit(CLI::App& app, int& /*exit_code*/) {
+  auto* command =
+      app.add_subcommand("fit", "Filtration and formation-damage coefficients of a run");
+  command->footer(
+      "Examples:\n"
+      "  porefines fit out/fines\n"
+      "The classical deep-bed model: docs/study.md.");
+  struct Arguments {
+    std::string folder;
+    std::string output;
+    double confidence = 0.95;
+    int resamples = 400;
+  };
+  auto a = std::make_shared<Arguments>();
+  command->add_option("DIR", a->folder, "output folder of porefines run")->required();
+  command->add_option("-o,--output", a->output, "where the results go; the default is DIR");
+  command->add_option("--confidence", a->confidence, "of the intervals (0.95)")
+      ->check(CLI::Range(0.5, 0.999));
+  command->add_option("--resamples", a->resamples, "of the bootstrap (400)")
+      ->check(CLI::Range(50, 100000));
+  command->callback([a] {
+    require_one_rank("fit", "it takes a second");
+    study::fit_run(a->folder, a->output.empty() ? a->folder : a->output, a->confidence,
+                   a->resamples);
+  });
+}
+
+}  // namespace porefines
