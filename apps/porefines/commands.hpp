@@ -30,7 +30,8 @@ inline constexpr const char* about_synthesize =
 /// Every sub-command, in the order of the help text. A new one is a file and a line here.
 inline constexpr void (*commands[])(CLI::App&, int&) = {
 #ifndef PF_VISION
-    add_run,   add_report,  add_inspect,   add_generate, add_study, add_fit, add_scale, add_reference,
+    add_run,   add_report,  add_inspect,   add_generate,
+    add_study, add_fit,     add_scale,     add_reference,
 #endif
     add_track, add_compare, add_synthesize};
 
