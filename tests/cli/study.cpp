@@ -80,7 +80,8 @@ bool has_checkpoint(const std::string& folder) {
 }
 
 TEST_F(StudyRun, killed_in_the_middle_goes_on_without_loss) {
-  write(test::slit_case, "set = [\"checkpoint.every=1 ms\"]\nseeds = 2\nside_by_side = 1\n");
+  write(test::slit_case,
+        "set = [\"checkpoint.every=1 ms\", \"run.end_time=3 ms\"]\nseeds = 2\nside_by_side = 1\n");
   ASSERT_EQ(study({"-o", "whole"}).exit_code, 0);
   {
     test::Background first(folder_.path(), {PF_BINARY, "study", "study.toml"});
@@ -131,7 +132,7 @@ TEST_F(StudyRun, is_refused_under_mpirun_and_where_nothing_fits) {
 
 /// Members on two ranks each.
 TEST_F(StudyRun, members_may_have_several_ranks) {
-  write(test::slit_case, "ranks = 2\nset = [\"run.end_time=1 ms\"]\nseeds = 1\n");
+  write(test::slit_case, "ranks = 2\nset = [\"run.end_time=0.2 ms\"]\nseeds = 1\n");
   const auto result = study();
   ASSERT_EQ(result.exit_code, 0) << result.output;
   EXPECT_EQ(test::number(test::read_text(member(0) + "/summary.json"), "ranks"), 2);

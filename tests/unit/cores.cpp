@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MPL-2.0
 #include "core/cores.hpp"
 
-
 #include <gtest/gtest.h>
 
 #include "core/atomic_file.hpp"

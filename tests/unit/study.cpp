@@ -16,9 +16,7 @@
 namespace porefines::study {
 namespace {
 
-constexpr auto slit = R"([run]
-end_time = "1 ms"
-[geometry]
+constexpr auto slit = R"([geometry]
 kind = "empty"
 size = ["48 um", "16 um", "16 um"]
 [grid]
@@ -86,8 +84,8 @@ TEST_F(StudyFile, members_keep_their_folders_when_a_study_grows) {
 TEST_F(StudyFile, ranges_are_linear_or_logarithmic_with_their_unit) {
   const auto values = [&](const std::string& more) {
     std::vector<std::string> out;
-    for (const AxisPoint& point :
-         parse("[[axis]]\nkey = \"flow.inlet.pressure\"\n" + more).axes.front().points) {
+    const Study study = parse("[[axis]]\nkey = \"flow.inlet.pressure\"\n" + more);
+    for (const AxisPoint& point : study.axes.front().points) {
       out.push_back(point.values.front());
     }
     return out;
