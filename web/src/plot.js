@@ -8,6 +8,7 @@ export const figures = new Map();
 
 const config = {
   responsive: true,
+  displayModeBar: "hover",  // else it lies on the plot wherever there is no pointer
   displaylogo: false,
   scrollZoom: false,
   modeBarButtonsToRemove: ["toImage", "select2d", "lasso2d", "autoScale2d"],

@@ -86,6 +86,7 @@ export function template(name = theme()) {
       colorway: [hue.blue, hue.vermilion, hue.green, hue.purple, hue.orange, hue.sky],
       xaxis: axis,
       yaxis: axis,
+      modebar: { bgcolor: "rgba(0,0,0,0)", color: colours.line, activecolor: colours.ink },
       hoverlabel: { bgcolor: colours.paper, bordercolor: colours.line, font: { color: colours.ink } },
       legend: { orientation: "h", traceorder: "normal", y: 1.02, yanchor: "bottom", x: 0, bgcolor: "rgba(0,0,0,0)" },
     },
