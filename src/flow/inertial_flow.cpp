@@ -24,7 +24,7 @@ std::array<Real, 3> coefficients(TimeScheme scheme, bool first, Real ratio) {
 }  // namespace
 
 InertialFlow::InertialFlow(StokesSolver& solver, Real density, Scheme scheme, TimeScheme time,
-                           Real speed)
+                           Real speed, First first)
     : solver_(solver),
       parts_(solver.parts()),
       density_(density),
@@ -32,13 +32,19 @@ InertialFlow::InertialFlow(StokesSolver& solver, Real density, Scheme scheme, Ti
       base_(parts_.friction.excess),
       base_inverse_(parts_.hierarchy.finest().inverse_diagonal),
       advection_(parts_.hierarchy.finest(), parts_.boundaries, scheme),
+      beside_(parts_.hierarchy.finest()),
       u_(parts_.hierarchy.finest(), parts_.boundaries),
       z_(parts_.hierarchy.finest(), parts_.boundaries) {
   const Real h = parts_.spacing.x;
+  const Real before = parts_.scale;
   parts_.scale = speed * parts_.viscosity / (h * h);
   inertia_ = density * speed * h / parts_.viscosity;
   const std::size_t size = parts_.equations.size();
-  parts_.unknowns.assign(size, 0.0);
+  const bool known = first == First::solved && parts_.unknowns.size() == size;
+  parts_.unknowns.resize(size);
+  for (double& value : parts_.unknowns) {
+    value *= known ? before / parts_.scale : 0;
+  }
   for (Packed<double>* v : {&old_, &older_, &history_, &r_, &image_, &time_weight_}) {
     v->assign(size, 0.0);
   }
@@ -246,7 +252,8 @@ InertialFlow::Memory InertialFlow::remember() const {
   return {of_cells(parts_.unknowns), of_cells(old_), time_, last_step_, built_, states_};
 }
 
-void InertialFlow::recall(const Memory& memory) {
+void InertialFlow::recall(const Memory& memory, std::span<const Sphere> spheres) {
+  lift_spheres();
   from_cells(memory.now, parts_.unknowns);
   from_cells(memory.old, old_);
   time_ = memory.time;
@@ -254,6 +261,10 @@ void InertialFlow::recall(const Memory& memory) {
   states_ = memory.states;
   if (memory.built > 0) {
     set_weight(memory.built);  // the coarse levels are those of this weight
+  }
+  if (parts_.comm.sum(static_cast<Index>(spheres.size())) > 0) {
+    set_spheres(spheres);
+    put_back_spheres();
   }
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "flow/advection.hpp"
+#include "flow/sphere_carriage.hpp"
 #include "flow/stokes.hpp"
 
 namespace porefines::flow {
@@ -53,15 +54,18 @@ class InertialFlow {
  public:
   /// @param solver  with its geometry set; its results are those of the last step from now on
   /// @param speed   [m/s] that is about 1 inside
-  InertialFlow(StokesSolver& solver, Real density, Scheme scheme, TimeScheme time, Real speed);
+  /// @param first   from rest, or from what the solver holds: a creeping flow without spheres
+  enum class First { rest, solved };
+  InertialFlow(StokesSolver& solver, Real density, Scheme scheme, TimeScheme time, Real speed,
+               First first = First::rest);
 
   /// Velocity at t = 0, at face centres [m from the low corner of the grid].
   void set_velocity(const std::function<Vec3(const Vec3&)>& velocity);
 
   /// Spheres of the next step, at their places of its end, each with the rank whose block holds its
   /// centre; as StokesSolver::set_spheres. Free ones obey m dV/dt = fluid + force, I dw/dt = fluid + torque in
-  /// the same solve, with m and I by their density: weight less buoyancy belongs to the force. Not with
-  /// midpoint.
+  /// the same solve, with m and I by their density and their motions at the last two times: weight less
+  /// buoyancy belongs to the force. Not with midpoint.
   void set_spheres(std::span<const Sphere> owned, std::span<const WallGap> walls = {});
   /// Of the last step, in the order given.
   [[nodiscard]] const std::vector<SphereMotion>& sphere_motions() const { return found_; }
@@ -97,8 +101,8 @@ class InertialFlow {
     int states = 0;  ///< known
   };
   [[nodiscard]] Memory remember() const;
-  /// Collective.
-  void recall(const Memory& memory);
+  /// @param spheres  of the last step, where they were. Collective.
+  void recall(const Memory& memory, std::span<const Sphere> spheres = {});
 
   [[nodiscard]] const FaceVelocity& velocity() const { return u_; }
   [[nodiscard]] const Advection& advection() const { return advection_; }
@@ -114,17 +118,13 @@ class InertialFlow {
     Packed<float> z, q;
     Real square = 0;
   };
-  /// Motion of a sphere at the last two times, by id, scaled.
-  struct Past {
-    std::uint64_t id = 0;
-    Six now{}, old{};
-  };
-  [[nodiscard]] Past past_of(const Sphere& sphere) const;
   [[nodiscard]] std::vector<Ball> heavy_balls(const std::array<Real, 3>& a, Real ratio) const;
   void lift_spheres();
+  void put_back_spheres();
   void place_spheres(const std::array<Real, 3>& a, Real ratio);
   void find_motions();
   void show_covered(FaceVelocity& u) const;
+  void extend_history();
   [[nodiscard]] RigidSpheres* spheres() const { return parts_.equations.spheres(); }
   void weigh_inlets();
   void set_weight(Real weight);
@@ -158,6 +158,7 @@ class InertialFlow {
   Real weight_ = -1;      ///< of u in the rows: a0 rho h^2/(mu dt)
   Real built_ = 0;        ///< the same, for which the coarse levels were made
   Advection advection_;
+  SphereCarriage beside_;
   FaceVelocity u_;
   FaceVelocity z_;
   std::array<Real, 6> inlet_{};
@@ -165,7 +166,6 @@ class InertialFlow {
   Packed<double> history_;      ///< what the rows draw u to by the time term
   Packed<double> r_;
   Packed<double> time_weight_;  ///< of u in each row: what friction holds above its base
-  std::vector<Past> past_;
   std::vector<SphereMotion> found_;
   std::vector<std::uint32_t> vacated_;
   Packed<double> image_;

@@ -112,6 +112,9 @@ void InertialFlow::find_residual(const Packed<float>& b) {
     show_covered(u_);
   }
   advection_.apply(op, u_, carried_);
+  if (spheres() != nullptr) {
+    beside_.apply(*spheres(), u_, carried_);
+  }
   for (std::size_t at = 0; at < x.size(); ++at) {
     r_[at] = b[at] - inertia_ * carried_[at];
     part_[at] = static_cast<float>(x[at]);
@@ -160,6 +163,9 @@ void InertialFlow::search(bool stalled, Real size) {
   z_.load(parts_.hierarchy.finest(), op, newest.z, {}, u_);
   show_covered(z_);
   advection_.change(op, u_, z_, carried_);
+  if (spheres() != nullptr) {
+    beside_.change(*spheres(), u_, z_, carried_);
+  }
   const auto inertia = static_cast<float>(inertia_);
   for (std::size_t at = 0; at < newest.q.size(); ++at) {
     newest.q[at] += inertia * carried_[at];

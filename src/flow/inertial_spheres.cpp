@@ -19,24 +19,13 @@ void InertialFlow::set_spheres(std::span<const Sphere> owned, std::span<const Wa
   solver_.set_spheres(owned, walls);
 }
 
-/// Known from the last step, or as given: a sphere that is new has moved like that before.
-InertialFlow::Past InertialFlow::past_of(const Sphere& sphere) const {
-  const auto known =
-      std::find_if(past_.begin(), past_.end(), [&](const Past& q) { return q.id == sphere.id; });
-  if (known != past_.end()) {
-    return *known;
-  }
-  const Real unit = velocity_unit();
-  const Six motion = six(sphere.velocity / unit, sphere.spin * (parts_.spacing.x / unit));
-  return {sphere.id, motion, motion};
-}
-
 /// Mass over the step, (a0/dt) m; what the former motions leave of it joins the force:
 ///
 ///     m (a0 V + a1 V_old + a2 V_older)/dt = F
 std::vector<Ball> InertialFlow::heavy_balls(const std::array<Real, 3>& a, Real ratio) const {
   std::vector<Ball> balls = solver_.scaled_spheres();
   const Vec3& h = parts_.spacing;
+  const Real unit = velocity_unit();
   for (std::size_t q = 0; q < balls.size(); ++q) {
     Ball& ball = balls[q];
     const Sphere& sphere = solver_.given_[q];
@@ -44,11 +33,13 @@ std::vector<Ball> InertialFlow::heavy_balls(const std::array<Real, 3>& a, Real r
     const Real cells = 4.0 / 3 * M_PI * r * r * r * h.x * h.x / (h.y * h.z);
     ball.mass = sphere.density / density_ * cells * weight_;
     ball.moment = 0.4 * r * r * ball.mass;
-    const Past past = past_of(sphere);
+    const Real turn = h.x / unit;
+    const Six now = six(sphere.velocity / unit, sphere.spin * turn);
+    const Six old = six(sphere.velocity_before / unit, sphere.spin_before * turn);
     for (std::size_t x = 0; x < 6 && !ball.held; ++x) {
-      const Real kept = -(a[1] * past.now[x] + a[2] * past.old[x]) / a[0];
+      const Real kept = -(a[1] * now[x] + a[2] * old[x]) / a[0];
       ball.force[x] += (x < 3 ? ball.mass : ball.moment) * kept;
-      ball.motion[x] = past.now[x] + ratio * (past.now[x] - past.old[x]);
+      ball.motion[x] = now[x] + ratio * (now[x] - old[x]);
     }
   }
   return balls;
@@ -60,6 +51,21 @@ void InertialFlow::lift_spheres() {
     vacated_ = spheres()->cover().covered_cells();
     solver_.lift_spheres();
     parts_.unknowns.resize(parts_.equations.fluid_size());
+  }
+}
+
+/// Covers the grid where the spheres of the last step were, as that step left it.
+void InertialFlow::put_back_spheres() {
+  RigidSpheres& all = *solver_.spheres_;
+  all.place(solver_.scaled_spheres(), {});
+  parts_.equations.attach(&all);
+  Packed<double>& x = parts_.unknowns;
+  x.resize(parts_.equations.size(), 0.0);
+  for (std::size_t q = 0; q < all.set().owned(); ++q) {
+    for (std::size_t i = 0; i < 6; ++i) {
+      x[parts_.equations.fluid_size() + RigidSpheres::tail_of(q) + i] =
+          all.set().balls()[q].motion[i];
+    }
   }
 }
 
@@ -75,6 +81,7 @@ void InertialFlow::place_spheres(const std::array<Real, 3>& a, Real ratio) {
   RigidSpheres& all = *solver_.spheres_;
   all.place(heavy_balls(a, ratio), solver_.scaled_walls(), solver_.roughness_ / parts_.spacing.x);
   op.attach(&all);
+  beside_.place(all);
   const std::size_t fluid = op.fluid_size();
   all.for_covered([&](const RigidFace& q, Real) {
     x[op.position(q.face.component, all.cover().index_of(q.face.at))] = 0;
@@ -120,7 +127,6 @@ void InertialFlow::find_motions() {
   op.load_unknowns(x);
   op.apply(image_);
   all.load_motion(x.data() + fluid);
-  std::vector<Past> now;
   for (std::size_t q = 0; q < all.set().owned(); ++q) {
     const Ball& ball = all.set().balls()[q];
     const Six v = all.motion()[q];
@@ -129,11 +135,25 @@ void InertialFlow::find_motions() {
       f[i] += (i < 3 ? ball.mass : ball.moment) * v[i];
     }
     found_.push_back(solver_.in_si(v, f));
-    now.push_back({ball.id, v, past_of(solver_.given_[q]).now});
   }
-  past_ = now;
   all.for_covered([&](const RigidFace& q, Real velocity) {
     x[op.position(q.face.component, all.cover().index_of(q.face.at))] = velocity;
+  });
+  extend_history();
+}
+
+/// Faces that the spheres may leave next: the fluid's velocity, extended under the surface.
+void InertialFlow::extend_history() {
+  Operator& op = parts_.equations;
+  const Level& level = parts_.hierarchy.finest();
+  RigidSpheres& all = *spheres();
+  u_.load(parts_.hierarchy.finest(), op, parts_.unknowns, inlet_, u_);
+  show_covered(u_);
+  beside_.for_extended(all, u_, [&](int component, std::uint32_t at, Real velocity) {
+    const Int3 index = all.cover().index_of(at);
+    if (level.owns(component, index)) {
+      parts_.unknowns[op.position(component, index)] = velocity;
+    }
   });
 }
 

@@ -204,6 +204,7 @@ void SphereCover::link_face(int component, const Int3& index, const Vec3& arm, i
       link.face = face_arm(component, index, wall);
       link.friction = static_cast<float>(e / theta);
       link.volume = volume_of(component, index);
+      link.towards = static_cast<std::int8_t>(side * (t + 1));
       if (link.face.owned) {
         link.packed = static_cast<std::int64_t>(op_.position(component, index));
       }

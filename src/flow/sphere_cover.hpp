@@ -46,6 +46,7 @@ struct SphereLink {
   FaceArm face;
   float friction = 0;  ///< k = e / theta
   float volume = 1;
+  std::int8_t towards = 0;   ///< axis + 1 of the covered neighbour, negative on the low side
   std::int64_t packed = -1;  ///< place in packed vectors, of an owned face
 };
 

@@ -31,7 +31,11 @@ struct Sphere {
   Vec3 spin;             ///< [rad/s]
   Vec3 force;            ///< [N] on it, from outside the fluid
   Vec3 torque;           ///< [N m]
-  Real density = 0;      ///< [kg/m^3] counts where there is inertia
+  // Where there is inertia:
+  Real density = 0;  ///< [kg/m^3]
+  Vec3 velocity_before =
+      {};  ///< [m/s] a step before `velocity`, which is a free one's after its last step
+  Vec3 spin_before = {};  ///< [rad/s]
 };
 
 /// What the solve found of a sphere.

@@ -40,7 +40,7 @@ Vec3 falling(const par::Communicator& comm) {
   drive.force = {0, 0, 0.01};
   flow::Sphere ball = sphere(1, {8.2, 7.7, 19.9}, 3);
   ball.density = 2;
-  ball.velocity = {0.1, 0, -0.5};
+  ball.velocity = ball.velocity_before = {0.1, 0, -0.5};
   ball.force = {0, 0, -10};
   for (int s = 0; s < 3; ++s) {
     ball.position += ball.velocity * 0.6;
@@ -48,6 +48,7 @@ Vec3 falling(const par::Communicator& comm) {
     flow.set_spheres(here);
     EXPECT_TRUE(flow.advance(0.6, drive, {.tolerance = 1e-6}).converged);
     const Vec3 v = here.empty() ? Vec3{} : flow.sphere_motions()[0].velocity;
+    ball.velocity_before = ball.velocity;
     ball.velocity = {comm.sum(v.x), comm.sum(v.y), comm.sum(v.z)};
   }
   return ball.velocity;

@@ -53,7 +53,7 @@ inline Fall settle(const Settling& q, int cells, Real travel) {
     const std::vector<flow::Sphere> mine = here ? std::vector{ball} : std::vector<flow::Sphere>{};
     flow.set_spheres(mine);
     EXPECT_TRUE(flow.advance(step, {}, {.tolerance = 1e-5}).converged);
-    before = ball.velocity;
+    before = ball.velocity_before = ball.velocity;
     Vec3 now = here ? flow.sphere_motions()[0].velocity : Vec3{};
     for (int a = 0; a < 3; ++a) {
       now[a] = comm.sum(now[a]);

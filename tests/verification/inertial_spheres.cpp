@@ -16,7 +16,7 @@ std::vector<Real> drag(bool sphere_moves, int steps, Real step) {
   const par::Communicator comm;
   flow::StokesSolver solver(comm, even_cut({32, 32, 32}, comm.size()), {1, 1, 1}, {}, 8.0 / 20);
   solver.set_surface([](const Vec3&) { return 1e3; });
-  flow::InertialFlow flow(solver, 1.0, flow::Scheme::linear, flow::TimeScheme::euler, speed);
+  flow::InertialFlow flow(solver, 1.0, flow::Scheme::linear, flow::TimeScheme::bdf2, speed);
   if (!sphere_moves) {
     flow.set_velocity([](const Vec3&) { return Vec3{-speed, 0, 0}; });
   }
@@ -35,17 +35,17 @@ std::vector<Real> drag(bool sphere_moves, int steps, Real step) {
 
 }  // namespace
 
-/// At the same place in a cell: 0.5 %. Between, the drag of the one that moves swings by 4 %, all of it too
-/// large: faces are covered whole, so that flux jumps (docs/theory-inertia.md).
+/// A pair of moments of two frames: their drags differ by 1 % in the mean over the cells that the moving
+/// one crosses, by 2.5 % at most at single places, where cells are covered (docs/theory-inertia.md).
 TEST(InertialSpheres, galilean_pair_at_re_20) {
-  const auto stands = drag(false, 20, 0.25);
-  const auto moves = drag(true, 20, 0.25);
-  for (std::size_t s = 7; s < stands.size(); s += 4) {
-    EXPECT_NEAR(moves[s] / stands[s], 1, 0.01) << s;
+  const auto stands = drag(false, 24, 0.25);
+  const auto moves = drag(true, 24, 0.25);
+  Real mean = 0;
+  for (std::size_t s = 8; s < stands.size(); ++s) {
+    EXPECT_NEAR(moves[s] / stands[s], 1, 0.025) << s;
+    mean += moves[s] / stands[s] / 16;
   }
-  for (std::size_t s = 7; s < stands.size(); ++s) {
-    EXPECT_NEAR(moves[s] / stands[s], 1, 0.04) << s;
-  }
+  EXPECT_NEAR(mean, 1, 0.01);
 }
 
 }  // namespace porefines::test
