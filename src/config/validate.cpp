@@ -106,15 +106,16 @@ void validate(const Case& subject, const Node& given) {
   check_cells(subject.grid, subject.geometry, given);
   check_faces(subject.flow, given);
   check_inertial(subject, given);
-  if (!subject.inertia.lid) {
-    check_drive(subject.flow, given);
-  }
-  if (is_inertial(subject)) {
-    return;
+  const Flow& flow = subject.flow;
+  const bool pushed =
+      flow.inlet || flow.outlet || flow.pressure_gradient != Triple{} || !is_inertial(subject);
+  const bool particles_push = is_coupled(subject) && !pushed;  // they fall, or start with a speed
+  if (!subject.inertia.lid && !particles_push) {
+    check_drive(flow, given);
   }
   if (is_coupled(subject)) {
     check_coupled(subject, given);
-  } else {
+  } else if (!is_inertial(subject)) {
     check_steady(subject, given);
   }
 }

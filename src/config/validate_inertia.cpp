@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MPL-2.0
 #include <cmath>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -53,6 +54,39 @@ void check_outputs(const Case& subject, const Node& given) {
   }
 }
 
+/// What particles in such a flow do without.
+void check_with_particles(const Case& subject, const Node& given) {
+  const Inertia& asked = subject.inertia;
+  for (const auto& [path, said, why] :
+       {std::tuple{"flow.steady", asked.steady, "particles move: take an end_time"},
+        {"flow.time_scheme", asked.time_scheme == TimeScheme::midpoint,
+         "spheres need \"bdf2\" or \"euler\""},
+        {"flow.disturbance", asked.disturbance > 0, "particles disturb the flow themselves"},
+        {"probe", !subject.probe.empty(), "series.csv is about particles there"}}) {
+    if (said) {
+      fail(place_of(given, path), "is not available with particles", why);
+    }
+  }
+}
+
+void check_without_particles(const Case& subject, const Node& given) {
+  for (const auto& [path, said] :
+       {std::pair{"injection", !subject.injection.empty()},
+        {"surface", !subject.surface.empty()},
+        {"gravity", subject.gravity != Triple{}},
+        {"coupling", !(subject.coupling == Coupling{})},
+        {"contact", !(subject.contact == Contact{})},
+        {"clogging", !(subject.clogging == Clogging{})},
+        {"run.max_pore_volumes", subject.run.max_pore_volumes > 0},
+        {"run.min_permeability_ratio", subject.run.min_permeability_ratio > 0},
+        {"flow.max_pressure", subject.flow.max_pressure > 0}}) {
+    if (said) {
+      fail(place_of(given, path), "is for particles, and there are none");
+    }
+  }
+  check_outputs(subject, given);
+}
+
 }  // namespace
 
 void check_inertial(const Case& subject, const Node& given) {
@@ -60,27 +94,17 @@ void check_inertial(const Case& subject, const Node& given) {
     check_other_regime(given);
     return;
   }
-  if (!subject.particles.empty() || !subject.injection.empty() || !subject.surface.empty()) {
-    const std::string path = !subject.particles.empty()   ? "particles"
-                             : !subject.injection.empty() ? "injection"
-                                                          : "surface";
-    fail(place_of(given, path), "is not available with \"navier-stokes\" in this version",
-         "fines creep: regime = \"stokes\" is right for them while Re < 1");
+  if (is_coupled(subject)) {
+    check_with_particles(subject, given);
+  } else {
+    check_without_particles(subject, given);
   }
   if (!subject.inertia.steady && !(subject.run.end_time > 0)) {
     fail(place_of(given, "run.end_time"), "is missing",
          "end_time = \"1 s\", or steady = true for the steady flow alone");
   }
-  const Flow& flow = subject.flow;
-  for (const auto& [path, said] :
-       {std::pair{"flow.tensor", flow.tensor},
-        {"run.max_pore_volumes", subject.run.max_pore_volumes > 0},
-        {"run.min_permeability_ratio", subject.run.min_permeability_ratio > 0},
-        {"flow.max_pressure", flow.max_pressure > 0},
-        {"clogging", !(subject.clogging == Clogging{})}}) {
-    if (said) {
-      fail(place_of(given, path), "is for creeping flow");
-    }
+  if (subject.flow.tensor) {
+    fail(place_of(given, "flow.tensor"), "is for creeping flow");
   }
   for (const auto& [name, opening] :
        {std::pair{"inlet", &subject.flow.inlet}, {"outlet", &subject.flow.outlet}}) {
@@ -98,7 +122,6 @@ void check_inertial(const Case& subject, const Node& given) {
       fail(item_node(given, "probe", i).place, "needs a position");
     }
   }
-  check_outputs(subject, given);
 }
 
 }  // namespace porefines::config

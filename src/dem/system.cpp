@@ -65,6 +65,7 @@ void System::insert(std::span<const Body> bodies) {
   for (const Body& body : bodies) {
     Body inside = body;
     inside.position = settings_.box.wrapped(body.position);
+    inside.density += settings_.added_density;
     if (settings_.blocks.owner(inside.position) == comm_.rank()) {
       particles_.append(inside);
       kept_.append({});
@@ -159,7 +160,7 @@ void System::prepare() {
   }
   if (comm_.max(forces_hold_ ? 0.0 : 1.0) > 0) {
     particles_.clear_forces();
-    contact_forces({0, particles_.creeps});
+    contact_forces({0, particles_.creeps && settings_.added_density == 0});
     forces_hold_ = true;
   }
 }

@@ -26,6 +26,9 @@ struct Settings {
   std::vector<std::uint16_t> wall_species;  ///< material of each wall; empty: all species 0
   Vec3 gravity;                             ///< [m/s^2]
   bool account = false;                     ///< sum up what contacts dissipate: Totals::dissipated
+  /// [kg/m^3] of a fluid that has to move with a particle: half of its density. Then particles that keep
+  /// what creep() needs are moved by advance() all the same.
+  Real added_density = 0;
   Real skin = 0;  ///< [m] pairs nearer than this are listed; 0: a fifth of the mean diameter
 };
 

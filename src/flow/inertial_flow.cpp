@@ -151,9 +151,13 @@ void InertialFlow::show_drive(const Drive& drive) {
   }
 }
 
+std::array<Real, 3> InertialFlow::time_weights(Real step) const {
+  return coefficients(scheme_in_time_, states_ == 1, last_step_ > 0 ? step / last_step_ : 1);
+}
+
 StepReport InertialFlow::advance(Real step, const Drive& drive, const StepOptions& options) {
   const Real ratio = last_step_ > 0 ? step / last_step_ : 1;
-  const std::array<Real, 3> a = coefficients(scheme_in_time_, states_ == 1, ratio);
+  const std::array<Real, 3> a = time_weights(step);
   const auto [a0, a1, a2] = a;
   const Real h = parts_.spacing.x;
   lift_spheres();

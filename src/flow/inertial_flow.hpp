@@ -84,6 +84,8 @@ class InertialFlow {
   };
   SteadyReport settle(const Drive& drive, const StepOptions& options, int max_steps);
 
+  /// a0, a1, a2 of a next step [s].
+  [[nodiscard]] std::array<Real, 3> time_weights(Real step) const;
   [[nodiscard]] Real time() const { return time_; }
   /// [1/s] largest sum over axes of mean |u|/h in a cell: times a step, its Courant number. Collective.
   [[nodiscard]] Real crossing_rate();

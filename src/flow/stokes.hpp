@@ -99,6 +99,8 @@ class StokesSolver {
 
   /// Starts the next solve from rest.
   void forget() { x_.clear(); }
+  /// Fluid at rest, as if solved without a drive.
+  void rest() { x_.assign(operator_->size(), 0.0); }
 
   /// [m^3/s] volume flux through every plane normal to an axis: faces 0 .. n. On every rank.
   [[nodiscard]] std::vector<Real> plane_fluxes(int axis) const;

@@ -5,7 +5,10 @@
 
 #include "io/checkpoint.hpp"
 #include "par/gather.hpp"
+#include "sim/coupled_inertia.hpp"
 #include "sim/dry_checkpoint.hpp"
+#include "sim/inertial_checkpoint.hpp"
+#include "sim/pictures.hpp"
 
 namespace porefines::sim {
 namespace {
@@ -48,12 +51,27 @@ flow::Sphere sphere_of(std::uint64_t id, const Real* n) {
           {n[14], n[15], n[16]}};
 }
 
+/// The memory must live until the checkpoint is written.
+void put_creeping_flow(io::Checkpoint& checkpoint, const flow::StokesSolver::Memory& memory) {
+  checkpoint.whole("flow_scale", std::vector<Real>{memory.scale});
+  checkpoint.rows("flow_unknowns", std::span<const Real>(memory.unknowns));
+  std::vector<std::uint64_t> ids;
+  std::vector<Real> numbers;
+  for (const flow::Sphere& q : memory.spheres) {
+    ids.push_back(q.id);
+    const auto row = numbers_of(q);
+    numbers.insert(numbers.end(), row.begin(), row.end());
+  }
+  checkpoint.rows("flow_sphere_ids", std::move(ids));
+  checkpoint.rows("flow_spheres", std::move(numbers), sphere_columns);
+}
+
 }  // namespace
 
 void write_checkpoint(const CoupledRun& run, const std::string& folder,
                       const io::Provenance& provenance) {
   const dem::Snapshot snapshot = run.particles.system.save();
-  const flow::StokesSolver::Memory memory = run.solver.remember();
+  flow::InertialFlow::Memory inertial;
   io::Checkpoint checkpoint;
   put_run(checkpoint, run.particles, snapshot);
   std::vector<Real> reals;
@@ -66,17 +84,14 @@ void write_checkpoint(const CoupledRun& run, const std::string& folder,
   std::vector<Real> readings = analysis::pack(run.state.readings);
   par::broadcast(run.comm(), readings);
   checkpoint.whole("readings", std::move(readings));
-  checkpoint.whole("flow_scale", std::vector<Real>{memory.scale});
-  checkpoint.rows("flow_unknowns", std::span<const Real>(memory.unknowns));
-  std::vector<std::uint64_t> ids;
-  std::vector<Real> numbers;
-  for (const flow::Sphere& q : memory.spheres) {
-    ids.push_back(q.id);
-    const auto row = numbers_of(q);
-    numbers.insert(numbers.end(), row.begin(), row.end());
+  const flow::StokesSolver::Memory memory =
+      run.inertial ? flow::StokesSolver::Memory{} : run.solver.remember();
+  if (run.inertial) {
+    inertial = run.inertial->remember();
+    put_flow(checkpoint, inertial, grid_block(run.domain, run.solver.block()));
+  } else {
+    put_creeping_flow(checkpoint, memory);
   }
-  checkpoint.rows("flow_sphere_ids", std::move(ids));
-  checkpoint.rows("flow_spheres", std::move(numbers), sphere_columns);
   io::write_checkpoint(folder, run.the_case.checkpoint.keep, checkpoint, provenance,
                        run.comm().handle());
 }
@@ -94,6 +109,10 @@ void go_on(CoupledRun& run, const std::string& folder) {
   at = 0;
   for_counts(run.state, [&](Index& value) { value = counts.at(at++); });
   run.state.readings = analysis::unpack_readings(reader.whole<Real>("readings"));
+  if (run.inertial) {
+    recall_inertia(run, get_flow(reader, grid_block(run.domain, run.solver.block())));
+    return;
+  }
   if (!reader.same_ranks()) {
     return;  // the flow is solved anew
   }

@@ -48,8 +48,10 @@ Outcome simulate(CoupledRun& run, CoupledSink& sink, const RunCanvas& canvas,
 
 void say_coupled(Log& log, const CoupledRun& run, const Outcome& outcome) {
   say_particles(log, run.particles);
-  log.info("k/k0       {:.4f} after {:.4g} pore volumes", run.permeability_ratio(),
-           run.pore_volumes());
+  if (is_driven(run.the_case.flow)) {
+    log.info("k/k0       {:.4f} after {:.4g} pore volumes", run.permeability_ratio(),
+             run.pore_volumes());
+  }
   log.info("steps      {} to {:.4g} s, {:.3g} cycles per solve, {} contact substeps",
            run.particles.state.steps, run.time(),
            static_cast<Real>(run.state.cycles) / static_cast<Real>(run.state.solves),
@@ -87,12 +89,17 @@ Scene set_scene(const config::Case& the_case, const Prepared& prepared, flow::St
   Scene scene{the_case, prepared, set_up(solver, the_case, prepared, comm), {}, {}, {}};
   log.info("set-up     {:.2g} s", watch.seconds());
   const Domain& domain = prepared.domain;
-  scene.clean = solve_steady_flow(the_case, domain, solver, comm);
-  const SteadyFlow& clean = scene.clean;
-  if (clean.signal != 0) {
-    throw Interrupted{clean.signal};
+  if (is_driven(the_case.flow)) {
+    scene.clean = solve_steady_flow(the_case, domain, solver, comm);
+    if (scene.clean.signal != 0) {
+      throw Interrupted{scene.clean.signal};
+    }
+    log.info("clean k    {:.5g} m^2 = {:.5g} darcy", scene.clean.permeability,
+             scene.clean.permeability / darcy);
+  } else {
+    solver.rest();  // particles, or a lid, will move it
   }
-  log.info("clean k    {:.5g} m^2 = {:.5g} darcy", clean.permeability, clean.permeability / darcy);
+  const SteadyFlow& clean = scene.clean;
   const flow::StokesSolver::CellFields fields = case_fields(solver, clean.scale, clean.offset);
   scene.canvas = make_canvas(domain, prepared.sample, fields, scene.solid, solver.block(), comm);
   scene.facts = facts_of(prepared, solver, scene.solid, provenance, comm);

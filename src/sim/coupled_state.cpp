@@ -11,6 +11,7 @@
 #include "dem/packing.hpp"
 #include "dem/step_size.hpp"
 #include "sim/beds.hpp"
+#include "sim/coupled_inertia.hpp"
 #include "sim/particle_setup.hpp"
 #include "sim/particle_walls.hpp"
 #include "sim/prepare.hpp"
@@ -102,11 +103,17 @@ CoupledRun make_coupled_run(const config::Case& the_case, const geom::Sample& sa
       0,
       porosity * domain.area() * domain.length(),
       {},
+      {},
+      true,
       {}};
   run.particles.in_fluid = true;
   run.particles.state.inlets.resize(run.particles.inlets.size());
   run.state.clean_permeability = clean.permeability;
   run.state.clean_rate = clean.flow_rate;
+  if (config::is_inertial(the_case)) {
+    start_inertia(run);
+    return run;
+  }
   set_drive(run, clean);
   soften(run);
   return run;

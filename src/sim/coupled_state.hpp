@@ -2,13 +2,14 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "analysis/readings.hpp"
 #include "config/case.hpp"
-#include "flow/stokes.hpp"
+#include "flow/inertial_flow.hpp"
 #include "sim/domain.hpp"
 #include "sim/dry_state.hpp"
 #include "sim/steady_flow.hpp"
@@ -54,14 +55,22 @@ struct CoupledRun {
   FlowNow now;
   CoupledState state;
   bool cold = true;  ///< nothing is known of the flow with particles yet
+  std::unique_ptr<flow::InertialFlow> inertial = {};  ///< with regime = "navier-stokes"
 
   [[nodiscard]] const par::Communicator& comm() const { return particles.comm; }
   [[nodiscard]] Real time() const { return particles.state.time; }
   [[nodiscard]] Real pore_volumes() const { return state.fluid_passed / pore_volume; }
+  /// NaN where nothing drives the fluid.
   [[nodiscard]] Real permeability_ratio() const {
-    return now.darcy.permeability / state.clean_permeability;
+    return state.clean_permeability > 0 ? now.darcy.permeability / state.clean_permeability
+                                        : std::numeric_limits<Real>::quiet_NaN();
   }
 };
+
+/// Does anything but particles and lids move the fluid?
+[[nodiscard]] inline bool is_driven(const config::Flow& flow) {
+  return flow.inlet || flow.pressure_gradient != config::Triple{};
+}
 
 /// The case with the faces of [box] as the flow has them: openings let particles out, slip faces are
 /// smooth walls, the others rough ones.
@@ -87,6 +96,9 @@ void solve_flow(CoupledRun& run);
 
 /// Moves the particles with the flow and against each other, overdamped (System::creep).
 void move_particles(CoupledRun& run, Real step);
+
+/// Grains and walls within a cell or so of the spheres of this rank.
+[[nodiscard]] std::vector<flow::WallGap> walls_near(const CoupledRun& run);
 
 /// Contacts become twice as stiff, up to the moduli of the case, when an overlap has come near its
 /// bound: an arch presses harder than the lone fine that the run begins with in mind.

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "dem/packing.hpp"
+#include "sim/coupled_inertia.hpp"
 #include "sim/coupled_state.hpp"
 #include "sim/particle_setup.hpp"
 
@@ -44,22 +45,6 @@ std::vector<flow::Sphere> spheres_of(CoupledRun& run) {
     spheres.push_back(q);
   }
   return spheres;
-}
-
-/// Grains and walls within a cell or so of the spheres of this rank.
-std::vector<flow::WallGap> walls_near(const CoupledRun& run) {
-  const dem::System& system = run.particles.system;
-  const dem::Particles& p = system.particles();
-  const Real reach = flow::lubrication_range * run.domain.spacing.x;
-  std::vector<flow::WallGap> walls;
-  dem::TouchList touches;
-  for (std::size_t i = 0; i < p.owned; ++i) {
-    dem::find_touches(system.settings().walls, p.position[i], p.radius[i], reach, touches);
-    for (const dem::Touch& touch : touches.view()) {
-      walls.push_back({i, touch.normal, touch.gap, touch.share});
-    }
-  }
-  return walls;
 }
 
 void take_motions(CoupledRun& run) {
@@ -112,6 +97,21 @@ void solve_once(CoupledRun& run, const flow::Drive& drive) {
 
 }  // namespace
 
+std::vector<flow::WallGap> walls_near(const CoupledRun& run) {
+  const dem::System& system = run.particles.system;
+  const dem::Particles& p = system.particles();
+  const Real reach = flow::lubrication_range * run.domain.spacing.x;
+  std::vector<flow::WallGap> walls;
+  dem::TouchList touches;
+  for (std::size_t i = 0; i < p.owned; ++i) {
+    dem::find_touches(system.settings().walls, p.position[i], p.radius[i], reach, touches);
+    for (const dem::Touch& touch : touches.view()) {
+      walls.push_back({i, touch.normal, touch.gap, touch.share});
+    }
+  }
+  return walls;
+}
+
 void feed_inlets(CoupledRun& run) {
   const Domain& domain = run.domain;
   for (std::size_t k = 0; k < run.particles.inlets.size(); ++k) {
@@ -158,6 +158,10 @@ void feed_inlets(CoupledRun& run) {
 }
 
 void solve_flow(CoupledRun& run) {
+  if (run.inertial) {
+    solve_with_inertia(run);
+    return;
+  }
   constexpr Real pump_accuracy = 1e-3;
   constexpr int most_turns = 3;
   run.now.cycles = 0;
@@ -179,6 +183,9 @@ void solve_flow(CoupledRun& run) {
 }
 
 Real choose_step(const CoupledRun& run) {
+  if (run.inertial) {
+    return choose_inertial_step(run);
+  }
   const dem::Particles& p = run.particles.system.particles();
   const Vec3& h = run.domain.spacing;
   Real fastest = 0;
@@ -204,6 +211,10 @@ Real choose_step(const CoupledRun& run) {
 }
 
 void move_particles(CoupledRun& run, Real step) {
+  if (run.inertial) {
+    move_with_inertia(run, step);
+    return;
+  }
   DryRun& particles = run.particles;
   const dem::Particles& p = particles.system.particles();
   Real smallest = INFINITY;

@@ -90,6 +90,9 @@ void inject_due(DryRun& run, Real from, Real to);
 /// [s] of the next sample of any output after now, or the end.
 [[nodiscard]] Real next_sample(const DryRun& run);
 
+/// [s] that contacts allow a step of System::advance.
+[[nodiscard]] Real longest_step(const DryRun& run);
+
 /// The next stretch of equal steps, up to the next sample or to when particles may have come a
 /// radius further.
 struct Stretch {

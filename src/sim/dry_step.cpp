@@ -49,6 +49,10 @@ Real next_sample(const DryRun& run) {
   return next;
 }
 
+Real longest_step(const DryRun& run) {
+  return dem::longest_step(run.system, pace_of(run));
+}
+
 Stretch choose_stretch(const DryRun& run) {
   const dem::Pace pace = pace_of(run);
   const Real left = next_sample(run) - run.state.time;

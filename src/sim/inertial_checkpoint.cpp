@@ -9,9 +9,14 @@ namespace porefines::sim {
 namespace {
 
 /// Calls visit(number) for every number of the state, in a fixed order.
-template <typename State, typename Memory, typename Visit>
-void for_reals(State& s, Memory& m, const Visit& visit) {
-  visit(s.step), visit(s.courant), visit(m.time), visit(m.step), visit(m.built);
+template <typename Memory, typename Visit>
+void for_memory(Memory& m, const Visit& visit) {
+  visit(m.time), visit(m.step), visit(m.built);
+}
+
+template <typename State, typename Visit>
+void for_reals(State& s, const Visit& visit) {
+  visit(s.step), visit(s.courant);
 }
 
 template <typename State, typename Visit>
@@ -21,21 +26,40 @@ void for_counts(State& s, const Visit& visit) {
 
 }  // namespace
 
+void put_flow(io::Checkpoint& checkpoint, const flow::InertialFlow::Memory& memory,
+              const io::GridBlock& grid) {
+  std::vector<Real> reals{static_cast<Real>(memory.states)};
+  for_memory(memory, [&](Real value) { reals.push_back(value); });
+  checkpoint.whole("flow_reals", std::move(reals));
+  constexpr int columns = flow::InertialFlow::columns;
+  checkpoint.block("flow_now", grid, std::span<const Real>(memory.now), columns);
+  checkpoint.block("flow_before", grid, std::span<const Real>(memory.old), columns);
+}
+
+flow::InertialFlow::Memory get_flow(const io::CheckpointReader& reader, const io::GridBlock& grid) {
+  flow::InertialFlow::Memory memory;
+  const auto reals = reader.whole<Real>("flow_reals");
+  std::size_t at = 0;
+  memory.states = static_cast<int>(reals.at(at++));
+  for_memory(memory, [&](Real& value) { value = reals.at(at++); });
+  constexpr int columns = flow::InertialFlow::columns;
+  memory.now = reader.block<Real>("flow_now", grid, columns);
+  memory.old = reader.block<Real>("flow_before", grid, columns);
+  return memory;
+}
+
 void write_checkpoint(const InertialRun& run, const std::string& folder,
                       const io::Provenance& provenance) {
   const flow::InertialFlow::Memory memory = run.flow->remember();
   io::Checkpoint checkpoint;
   checkpoint.text("case", config::effective_case(run.the_case));
   std::vector<Real> reals;
-  for_reals(run.state, memory, [&](Real value) { reals.push_back(value); });
+  for_reals(run.state, [&](Real value) { reals.push_back(value); });
   checkpoint.whole("inertial_reals", std::move(reals));
-  std::vector<std::int64_t> counts{memory.states};
+  std::vector<std::int64_t> counts;
   for_counts(run.state, [&](Index value) { counts.push_back(value); });
   checkpoint.whole("inertial_counts", std::move(counts));
-  const io::GridBlock grid = grid_block(run.domain, run.solver.block());
-  constexpr int columns = flow::InertialFlow::columns;
-  checkpoint.block("flow_now", grid, std::span<const Real>(memory.now), columns);
-  checkpoint.block("flow_before", grid, std::span<const Real>(memory.old), columns);
+  put_flow(checkpoint, memory, grid_block(run.domain, run.solver.block()));
   io::write_checkpoint(folder, run.the_case.checkpoint.keep, checkpoint, provenance,
                        run.comm.handle());
 }
@@ -43,19 +67,13 @@ void write_checkpoint(const InertialRun& run, const std::string& folder,
 void go_on(InertialRun& run, const std::string& folder) {
   const io::CheckpointReader reader(folder, run.comm.rank(), run.comm.size());
   require_same_case(reader, run.the_case);
-  flow::InertialFlow::Memory memory;
   const auto reals = reader.whole<Real>("inertial_reals");
   std::size_t at = 0;
-  for_reals(run.state, memory, [&](Real& value) { value = reals.at(at++); });
+  for_reals(run.state, [&](Real& value) { value = reals.at(at++); });
   const auto counts = reader.whole<std::int64_t>("inertial_counts");
   at = 0;
-  memory.states = static_cast<int>(counts.at(at++));
   for_counts(run.state, [&](Index& value) { value = counts.at(at++); });
-  const io::GridBlock grid = grid_block(run.domain, run.solver.block());
-  constexpr int columns = flow::InertialFlow::columns;
-  memory.now = reader.block<Real>("flow_now", grid, columns);
-  memory.old = reader.block<Real>("flow_before", grid, columns);
-  run.flow->recall(memory);
+  run.flow->recall(get_flow(reader, grid_block(run.domain, run.solver.block())));
 }
 
 }  // namespace porefines::sim

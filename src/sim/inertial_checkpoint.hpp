@@ -3,10 +3,17 @@
 
 #include <string>
 
+#include "io/checkpoint.hpp"
 #include "io/provenance.hpp"
 #include "sim/inertial_state.hpp"
 
 namespace porefines::sim {
+
+/// What a flow goes on from, by cells of the grid. The memory must live until the checkpoint is written.
+void put_flow(io::Checkpoint& checkpoint, const flow::InertialFlow::Memory& memory,
+              const io::GridBlock& grid);
+[[nodiscard]] flow::InertialFlow::Memory get_flow(const io::CheckpointReader& reader,
+                                                  const io::GridBlock& grid);
 
 /// checkpoint.h5: the last two moments of the flow, by cells of the grid, and the counts of the run.
 /// Collective.

@@ -9,39 +9,12 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "sim/steady_flow.hpp"
+#include "sim/inertial_setup.hpp"
 
 namespace porefines::sim {
 namespace {
 
 constexpr std::size_t most_bodies = 16;
-
-Vec3 gradient_of(const config::Flow& flow) {
-  return {flow.pressure_gradient[0], flow.pressure_gradient[1], flow.pressure_gradient[2]};
-}
-
-/// [m/s] given at a face, and [Pa/m] that pushes the fluid.
-struct Push {
-  Real speed = 0;
-  Real force = 0;
-};
-
-Push push_of(const InertialRun& run) {
-  Push push;
-  push.force = norm(run.drive.force);
-  for (std::size_t face = 0; face < 6; ++face) {
-    const flow::FaceKind kind = run.domain.boundaries.kind[face];
-    const Real value = std::abs(run.drive.face_value[face]);
-    if (kind == flow::FaceKind::velocity) {
-      push.speed = std::max(push.speed, value);
-    } else if (kind == flow::FaceKind::lid) {
-      push.speed = std::max(push.speed, norm(run.drive.lid[face]));
-    } else if (flow::gives_pressure(kind)) {
-      push.force = std::max(push.force, value / run.domain.length());
-    }
-  }
-  return push;
-}
 
 /// The body whose surface is nearest, periodic axes considered.
 int nearest_body(const InertialRun& run, const Vec3& x) {
@@ -61,37 +34,6 @@ int nearest_body(const InertialRun& run, const Vec3& x) {
     }
   }
   return best;
-}
-
-flow::Scheme scheme_of(const InertialRun& run, Real speed) {
-  constexpr Real waves =
-      10;  // Reynolds number of a cell above which linear interpolation shows them
-  const config::Fluid& fluid = run.the_case.fluid;
-  const Vec3& h = run.domain.spacing;
-  const Real cell = fluid.density * speed * std::max({h.x, h.y, h.z}) / fluid.viscosity;
-  switch (run.the_case.inertia.scheme) {
-    case config::AdvectionScheme::linear:
-      return flow::Scheme::linear;
-    case config::AdvectionScheme::lust:
-      return flow::Scheme::lust;
-    case config::AdvectionScheme::automatic:
-      break;
-  }
-  return cell > waves ? flow::Scheme::lust : flow::Scheme::linear;
-}
-
-/// [m/s] of about the flow to come: given, or what viscosity or inertia allows the force over a cell-wide
-/// to box-wide length.
-Real expected_speed(const InertialRun& run, const Push& push) {
-  if (push.speed > 0) {
-    return push.speed;
-  }
-  const config::Fluid& fluid = run.the_case.fluid;
-  const Vec3 size = run.domain.size();
-  const Real width = std::min({size.x, size.y, size.z});
-  const Real viscous = push.force * width * width / (12 * fluid.viscosity);
-  const Real inertial = std::sqrt(push.force * width / fluid.density);
-  return std::min(viscous, inertial);
 }
 
 /// Sideways waves along the flow, four in the box; the first step makes them fit its walls.
@@ -114,22 +56,13 @@ InertialRun make_inertial_run(const config::Case& the_case, const geom::Sample& 
                               const Domain& domain, flow::StokesSolver& solver,
                               const par::Communicator& comm) {
   InertialRun run{the_case, sample, domain, comm, solver};
-  run.drive.force = gradient_of(the_case.flow);
-  if (the_case.flow.inlet) {
-    const OpeningDrive opening = opening_drive(the_case.flow);
-    run.drive.face_value = opening.drive.face_value;
-    run.offset = opening.base;
-  }
-  if (const auto& lid = the_case.inertia.lid) {
-    run.drive.lid[static_cast<std::size_t>(lid->face)] = {lid->velocity[0], lid->velocity[1],
-                                                          lid->velocity[2]};
-  }
-  const Push push = push_of(run);
+  const InertialDrive wanted = inertial_drive(the_case);
+  run.drive = wanted.drive;
+  run.offset = wanted.offset;
+  const Push push = push_of(domain, run.drive);
   run.speed = push.speed;
-  const Real speed = expected_speed(run, push);
-  run.flow = std::make_unique<flow::InertialFlow>(
-      solver, the_case.fluid.density, scheme_of(run, speed),
-      static_cast<flow::TimeScheme>(the_case.inertia.time_scheme), speed);
+  const Real speed = expected_speed(the_case, domain, push);
+  run.flow = make_inertial_flow(the_case, domain, solver, speed);
   disturb(run, speed * the_case.inertia.disturbance);
   if (sample.spec.kind != geom::Kind::empty) {
     const std::size_t told_apart = sample.bodies.size();
@@ -150,7 +83,7 @@ Real choose_step(const InertialRun& run) {
   const Real left = run.the_case.run.end_time - run.flow->time();
   Real step = 0;
   if (run.state.steps == 0) {
-    const Push push = push_of(run);
+    const Push push = push_of(run.domain, run.drive);
     const Real by_speed = push.speed > 0 ? first * asked.courant * cell / push.speed : left;
     const Real fall = std::sqrt(2 * first * cell * run.the_case.fluid.density / push.force);
     step = std::min(by_speed, push.force > 0 ? fall : left);

@@ -166,7 +166,11 @@ dem::Settings make_settings(const config::Case& the_case, const geom::Sample& sa
   settings.box = box;
   settings.materials = make_materials(the_case);
   settings.model = make_contact_model(the_case, expected_speed(the_case, box.high - box.low));
-  settings.gravity = vec(the_case.gravity);
+  if (config::is_inertial(the_case)) {
+    settings.added_density = 0.5 * the_case.fluid.density;  // of a sphere far from others
+  } else {
+    settings.gravity = vec(the_case.gravity);
+  }
   settings.account = !config::is_coupled(the_case);  // energy is lost to the fluid there
   const Walls walls = make_walls(the_case, sample, box.low, box.high);
   settings.walls = walls.surfaces;

@@ -119,11 +119,11 @@ int run(const config::Case& the_case, const RunOptions& options) {
   }
   std::optional<Log> log;
   try {
-    if (config::is_inertial(the_case)) {
-      return run_inertial_case(the_case, options, comm, log);
-    }
     if (config::is_coupled(the_case)) {
       return run_coupled_case(the_case, options, comm, log);
+    }
+    if (config::is_inertial(the_case)) {
+      return run_inertial_case(the_case, options, comm, log);
     }
     simulate(the_case, options, comm, log);
     return exit_code::done;
