@@ -224,12 +224,16 @@ Real InertialFlow::kinetic_energy() const {
   return parts_.comm.sum(sum) * unit * unit * density_ / 2 * h.x * h.y * h.z;
 }
 
-/// Calls visit(place in a packed vector, place among the cells' columns) for every unknown.
+/// Calls visit(place in a packed vector, place among the cells' columns) for every unknown, those that
+/// spheres cover included: they hold the history of what spheres leave.
 template <typename Visit>
 void InertialFlow::for_columns(const Visit& visit) const {
-  const Int3& n = parts_.hierarchy.finest().block.n;
-  parts_.equations.for_each([&](int c, int i, int j, int k, std::size_t at) {
-    Int3 cell{i, j, k};
+  const Level& level = parts_.hierarchy.finest();
+  const Int3& n = level.block.n;
+  const auto visit_one = [&](int c, Int3 cell, std::size_t at) {
+    if (cell[0] > n[0] || !level.owns(c, cell)) {
+      return;
+    }
     int column = c < 3 ? c : 6;
     if (c < 3 && cell[c] == n[c]) {
       --cell[c];
@@ -237,6 +241,13 @@ void InertialFlow::for_columns(const Visit& visit) const {
     }
     const Index place = cell[0] + Index{n[0]} * (cell[1] + Index{n[1]} * cell[2]);
     visit(at, static_cast<std::size_t>(place * columns + column));
+  };
+  parts_.equations.for_each_line([&](int i, int j, int k, std::size_t line) {
+    for (int c = 0; c < 4; ++c) {
+      for (int l = 0; l < width; ++l) {
+        visit_one(c, {i + l, j, k}, line + c * width + l);
+      }
+    }
   });
 }
 

@@ -225,7 +225,6 @@ void move_with_inertia(CoupledRun& run, Real step) {
 void recall_inertia(CoupledRun& run, const flow::InertialFlow::Memory& memory) {
   run.inertial->recall(memory, heavy_spheres(run, 1));
   run.cold = false;
-  run.now.darcy = measure_darcy(run.the_case, run.domain, run.drive, run.solver);
   feed_inlets(run);
 }
 

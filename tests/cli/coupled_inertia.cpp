@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MPL-2.0
 // Particles with mass in a flow with inertia, from the case file to the results.
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 
@@ -14,7 +15,7 @@ namespace {
 /// A sphere of six cells falls onto the bottom of a box.
 const std::string falling_case = R"(gravity = ["0 m/s^2", "0 m/s^2", "-9.81 m/s^2"]
 [run]
-end_time = "30 ms"
+end_time = "13 ms"
 [geometry]
 kind = "empty"
 size = ["5 mm", "5 mm", "6 mm"]
@@ -59,14 +60,14 @@ class CoupledInertia : public ::testing::Test {
   }
   /// Fastest speeds [m/s] down and, after that, up.
   struct Impact {
-    Real down = 0;
-    Real up = 0;
+    double down = 0;
+    double up = 0;
   };
   [[nodiscard]] Impact impact(const std::string& out) const {
     const Csv tracks = read_csv(folder_ / (out + "/tracks.csv"));
     Impact found;
     for (std::size_t i = 0; i < tracks.rows.size(); ++i) {
-      const Real w = tracks.at(i, "w_m_s");
+      const double w = tracks.at(i, "w_m_s");
       found.up = -w > found.down ? 0 : std::max(found.up, w);
       found.down = std::max(found.down, -w);
     }
