@@ -20,6 +20,7 @@ SEES = {
     "vision": {"core", "config", "io", "report"},
     "sim": {"core", "config", "par", "grid", "geom", "flow", "dem", "io", "analysis", "report"},
     "page": {"core", "config", "geom", "io", "sim"},
+    "validate": {"core", "io", "page"},
 }
 
 

@@ -9,9 +9,15 @@ const quiet = [
   "--disable-sync",
 ];
 
+let browser = null; // one for all pages of a test program
+
+export async function closeBrowser() {
+  await browser?.close();
+}
+
 /** @returns {{ page, complaints, asked, close }}  asked: addresses that the page wanted from elsewhere */
 export async function openPage(path, { width = 1400, dark = false } = {}) {
-  const browser = await chromium.launch({ executablePath: process.env.PF_CHROMIUM, args: quiet });
+  browser ??= await chromium.launch({ executablePath: process.env.PF_CHROMIUM, args: quiet });
   const context = await browser.newContext({ viewport: { width, height: 900 }, colorScheme: dark ? "dark" : "light", offline: true, acceptDownloads: true });
   const page = await context.newPage();
   const complaints = [];
@@ -29,5 +35,5 @@ export async function openPage(path, { width = 1400, dark = false } = {}) {
   });
   await page.goto(`file://${path}`);
   await page.waitForSelector("html[data-ready]", { state: "attached", timeout: 60000 });
-  return { page, complaints, asked, close: () => browser.close() };
+  return { page, complaints, asked, close: () => context.close() };
 }

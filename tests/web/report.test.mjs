@@ -3,8 +3,8 @@
 import assert from "node:assert/strict";
 import { existsSync, rmSync, statSync } from "node:fs";
 import { dirname } from "node:path";
-import { test } from "node:test";
-import { openPage } from "./open.mjs";
+import { after, test } from "node:test";
+import { closeBrowser, openPage } from "./open.mjs";
 import { coupledRun, dryRun, flowRun, inertialRun, summary, table } from "./runs.mjs";
 
 if (!existsSync(process.env.PF_CHROMIUM ?? "")) {
@@ -12,25 +12,31 @@ if (!existsSync(process.env.PF_CHROMIUM ?? "")) {
   process.exit(77);
 }
 
+/** Folders of runs, made when they are first asked for. */
+const folders = new Map();
+after(async () => {
+  await closeBrowser();
+  folders.forEach((folder) => rmSync(dirname(folder), { recursive: true }));
+});
+
 /** Opens the report of a run, checks what holds for every page, then what `look` checks. */
 async function withPage(run, options, look) {
-  const folder = run();
+  if (!folders.has(run)) {
+    folders.set(run, run());
+  }
+  const folder = folders.get(run);
+  assert.ok(statSync(`${folder}/report.html`).size < 3e6);
+  const { page, complaints, asked, close } = await openPage(`${folder}/report.html`, options);
   try {
-    assert.ok(statSync(`${folder}/report.html`).size < 3e6);
-    const { page, complaints, asked, close } = await openPage(`${folder}/report.html`, options);
-    try {
-      await look(page, folder);
-      assert.deepEqual(complaints, []);
-      assert.deepEqual(asked, []);
-      const width = await page.evaluate(() => document.documentElement.scrollWidth);
-      assert.ok(width <= (options.width ?? 1400), `the page is ${width} pixels wide`);
-      const text = await page.evaluate(() => document.getElementById("page").innerText);
-      assert.doesNotMatch(text, /undefined|NaN|\bnull\b/);
-    } finally {
-      await close();
-    }
+    await look(page, folder);
+    assert.deepEqual(complaints, []);
+    assert.deepEqual(asked, []);
+    const width = await page.evaluate(() => document.documentElement.scrollWidth);
+    assert.ok(width <= (options.width ?? 1400), `the page is ${width} pixels wide`);
+    const text = await page.evaluate(() => document.getElementById("page").innerText);
+    assert.doesNotMatch(text, /undefined|NaN|\bnull\b/);
   } finally {
-    rmSync(dirname(folder), { recursive: true });
+    await close();
   }
 }
 

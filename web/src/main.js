@@ -3,6 +3,7 @@ import { readData } from "./data.js";
 import { h } from "./dom.js";
 import { drawFigures, figures } from "./plot.js";
 import { startTheme } from "./theme.js";
+import { showValidation } from "./validation.js";
 import { header } from "./sections/header.js";
 import { caseSection } from "./sections/case.js";
 import { geometry } from "./sections/geometry.js";
@@ -37,10 +38,7 @@ function add(page, data, section, missing) {
   return [made.id, made.title];
 }
 
-async function show() {
-  startTheme();
-  const data = await readData();
-  const page = document.getElementById("page");
+function showRun(page, data) {
   document.title = `${data.summary.title || data.folder} – porefines`;
   page.append(header(data));
   const contents = h("nav", { "aria-label": "Contents" });
@@ -51,6 +49,12 @@ async function show() {
     shown.push(add(page, data, last, missing));
   }
   contents.append(...shown.filter(Boolean).map(([id, title]) => h("a", { href: `#${id}` }, title)));
+}
+
+async function show() {
+  startTheme();
+  const data = await readData();
+  (data.kind === "validation" ? showValidation : showRun)(document.getElementById("page"), data);
   await drawFigures();
   document.documentElement.dataset.ready = "yes";
   window.porefines = { ...window.porefines, data, figures };

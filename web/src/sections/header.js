@@ -56,7 +56,7 @@ function keyNumbers({ kind, summary: s }) {
   ];
 }
 
-function themeSwitch() {
+export function themeSwitch() {
   const button = h("button", { type: "button", class: "theme", onclick: () => {
     setTheme(theme() === "dark" ? "light" : "dark");
     name();

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MPL-2.0
+#include <memory>
+#include <string>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <mpi.h>
+
+#include "commands.hpp"
+#include "core/error.hpp"
+#include "validate/validate.hpp"
+
+namespace porefines {
+
+void add_validate(CLI::App& app, int& exit_code) {
+  auto* command = app.add_subcommand("validate", "Compare with exact and published numbers");
+  command->footer(
+      "Examples:\n"
+      "  porefines validate --quick               every comparison that takes under a minute a "
+      "run\n"
+      "  porefines validate --only cylinder chip  these alone\n"
+      "Started again, it keeps what the same commit has done. Exit code 3: something is red.");
+  auto options = std::make_shared<validate::ValidateOptions>();
+  command->add_flag("--quick", options->quick, "leave out what takes longer, on coarser grids");
+  command->add_option("--only", options->only, "names of comparisons");
+  command->add_option("-o,--output", options->output_dir, "output folder (validate)");
+  command->add_option("-j,--jobs", options->at_once, "runs side by side; default: processors");
+  command->callback([options, &exit_code] {
+    int rank = 0;
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    if (rank == 0) {
+      exit_code = validate::run_validation(*options);
+    }
+  });
+}
+
+}  // namespace porefines

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MPL-2.0
+
+#include <fmt/format.h>
+
+#include "validate/comparison.hpp"
+
+namespace porefines::validate {
+namespace {
+
+using Measure = FromTracks::Measure;
+
+Job incline_job() {
+  return {.name = "incline",
+          .case_text = R"(title = "Rolling and sliding on an incline of 20 degrees"
+gravity = ["3.35521760598 m/s^2", "0 m/s^2", "-9.21838464996 m/s^2"]
+[run]
+end_time = "0.1 s"
+[geometry]
+kind = "empty"
+size = ["40 mm", "4 mm", "2 mm"]
+[[particles]]
+name = "ball"
+source = "balls.csv"
+density = "2500 kg/m^3"
+young = "50 MPa"
+poisson = 0.25
+[contact]
+friction = { particle_wall = 0.3 }
+[[output]]
+kind = "tracks"
+every = "10 ms"
+)",
+          .files = {{"balls.csv",
+                     "x_m,y_m,z_m,diameter_m,u,v,w\n2e-3,1e-3,0.49998e-3,1e-3,0,0,0\n"
+                     "2e-3,3e-3,0.49998e-3,1e-3,0.2,0,0\n"}}};
+}
+
+Comparison incline() {
+  return {
+      .name = "incline",
+      .title = "A ball on an incline",
+      .quantity = "millimetres, metres a second",
+      .reference = "rigid rolling with friction, exact",
+      .jobs = {incline_job()},
+      .rows = {{.label = "rolls from rest, way after 0.1 s (mm): (5/14) g sin(slope) t²",
+                .source = FromTracks{0, "x_m", Measure::change, 1e3},
+                .reference = 11.982920,
+                .tolerance = 0.005},
+               {.label = "slides, then rolls, speed after 0.1 s (m/s): (5/7) (v₀ + g sin(slope) t)",
+                .source = FromTracks{1, "u_m_s", Measure::last},
+                .reference = 0.382515,
+                .tolerance = 0.005}}};
+}
+
+Job impact_job(Real restitution) {
+  return {
+      .name = fmt::format("e_{}", restitution),
+      .case_text = fmt::format(R"(title = "Impact on a wall, restitution {}"
+[run]
+end_time = "6 ms"
+[geometry]
+kind = "empty"
+size = ["4 mm", "4 mm", "4 mm"]
+[[particles]]
+source = "ball.csv"
+density = "2500 kg/m^3"
+young = "50 MPa"
+poisson = 0.25
+[contact]
+restitution = {}
+[[output]]
+kind = "tracks"
+every = "0.5 ms"
+)",
+                               restitution, restitution),
+      .files = {{"ball.csv", "x_m,y_m,z_m,diameter_m,u,v,w\n2e-3,2e-3,0.8e-3,1e-3,0,0,-0.2\n"}}};
+}
+
+Comparison impact() {
+  Comparison c{.name = "impact",
+               .title = "Rebound from a wall (Chung & Ooi 2011, test 3)",
+               .quantity = "speed after over before",
+               .along = "restitution asked for",
+               .reference = "the restitution that was asked for"};
+  for (const Real e : {0.2, 0.4, 0.6, 0.8, 1.0}) {
+    c.rows.push_back({.label = fmt::format("e = {}", e),
+                      .x = e,
+                      .job = c.jobs.size(),
+                      .source = FromTracks{0, "w_m_s", Measure::ratio, -1},
+                      .reference = e,
+                      .tolerance = 0.01});
+    c.jobs.push_back(impact_job(e));
+  }
+  return c;
+}
+
+/// A sphere of 8 cells in a slit with H/a = 8, carried by the peak of Poiseuille's flow.
+Comparison free_sphere() {
+  const std::string text = R"(title = "A free sphere in a slit, H/a = 8"
+[run]
+end_time = "10 ms"
+[geometry]
+kind = "empty"
+size = ["60 um", "40 um", "20 um"]
+[grid]
+cells = [96, 64, 32]
+[fluid]
+density = "1050 kg/m^3"
+viscosity = "1 mPa s"
+[flow]
+periodic = ["x", "y"]
+pressure_gradient = ["2e4 Pa/m", "0 Pa/m", "0 Pa/m"]
+walls = ["z-", "z+"]
+[[particles]]
+source = "fine.csv"
+density = "1050 kg/m^3"
+[[output]]
+kind = "tracks"
+every = "2 ms"
+)";
+  constexpr Real peak = 2e4 * 20e-6 * 20e-6 / (8 * 1e-3);  // G h^2 / (8 mu)
+  return {
+      .name = "free_sphere",
+      .title = "A fine carried between the plates of a chip",
+      .quantity = "speed over the peak of the clean flow",
+      .reference = "references.md B3: free of force and torque in Poiseuille flow, H/a = 8, centre",
+      .jobs = {{.name = "centre",
+                .case_text = text,
+                .files = {{"fine.csv", "x_m,y_m,z_m,diameter_m\n20e-6,20e-6,10e-6,5e-6\n"}}}},
+      .rows = {{.label = "centre, 8 cells per diameter",
+                .source = FromTracks{0, "u_m_s", Measure::last, 1 / peak},
+                .reference = 0.97903,
+                .tolerance = 0.01}}};
+}
+
+}  // namespace
+
+void add_contact(std::vector<Comparison>& list) {
+  list.push_back(incline());
+  list.push_back(impact());
+  list.push_back(free_sphere());
+}
+
+}  // namespace porefines::validate

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MPL-2.0
+#include "validate/read_result.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "page/table.hpp"
+
+namespace porefines::validate {
+namespace {
+
+Reading read(const FromSummary& source, const Row& row, const std::vector<std::string>& folders) {
+  return {.value = source.factor *
+                   number_in(read_whole(folders[row.job] + "/out/summary.json"), source.key)};
+}
+
+Reading read(const FromTracks& source, const Row& row, const std::vector<std::string>& folders) {
+  Real first = NAN;
+  Real last = NAN;
+  page::for_rows(folders[row.job] + "/out/tracks.csv", [&](const auto& names, const auto& words) {
+    const page::Table head{names, {}};
+    const int id = head.column("id");
+    const int column = head.column(source.column);
+    if (id >= 0 && column >= 0 &&
+        page::number_of(words[static_cast<std::size_t>(id)]) == static_cast<Real>(source.id)) {
+      last = page::number_of(words[static_cast<std::size_t>(column)]);
+      first = std::isnan(first) ? last : first;
+    }
+  });
+  switch (source.measure) {
+    case FromTracks::Measure::change:
+      return {.value = source.factor * (last - first)};
+    case FromTracks::Measure::ratio:
+      return {.value = source.factor * last / first};
+    case FromTracks::Measure::last:
+      break;
+  }
+  return {.value = source.factor * last};
+}
+
+Reading read(const Extrapolated& source, const Row& row, const std::vector<std::string>& folders) {
+  const auto value = [&](std::size_t k) {
+    return number_in(read_whole(folders[row.job + k] + "/out/summary.json"), source.key);
+  };
+  const std::size_t finest = source.cells.size() - 1;
+  const Real h2 = source.cells[finest - 1] * source.cells[finest - 1];
+  const Real h3 = source.cells[finest] * source.cells[finest];
+  const Real change = (value(finest) - value(finest - 1)) * h3 / (h2 - h3);
+  return {value(finest) + change, std::abs(change)};
+}
+
+}  // namespace
+
+std::string read_whole(const std::string& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+Real number_in(std::string_view json, std::string_view key) {
+  const std::string wanted = '"' + std::string(key) + "\": ";
+  const std::size_t at = json.find(wanted);
+  Real value = NAN;
+  if (at != std::string_view::npos) {
+    const std::string_view rest = json.substr(at + wanted.size());
+    std::from_chars(rest.data(), rest.data() + rest.size(), value);
+  }
+  return value;
+}
+
+Reading read_row(const Row& row, const std::vector<std::string>& folders) {
+  return std::visit([&](const auto& source) { return read(source, row, folders); }, row.source);
+}
+
+bool agrees(const Row& row, const Reading& reading) {
+  return std::abs(reading.value - row.reference) <= row.tolerance * std::abs(row.reference);
+}
+
+}  // namespace porefines::validate
