@@ -80,6 +80,13 @@ FieldVolume read_last(const std::string& folder, const std::string& name, std::o
 
 }  // namespace
 
+bool has_field(const std::string& folder, const std::string& name) {
+  silence_hdf5();
+  const std::string path = last_step(folder);
+  const Hdf5 file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "opening " + path);
+  return H5Lexists(file.get(), name.c_str(), H5P_DEFAULT) > 0;
+}
+
 FieldVolume read_last_field(const std::string& folder, const std::string& name) {
   return read_last(folder, name, std::nullopt);
 }

@@ -23,6 +23,10 @@ struct FieldVolume {
 /// Test: vision/flow_field.
 [[nodiscard]] FieldVolume read_last_field(const std::string& folder, const std::string& name);
 
+/// Does the last step hold a field of this name? One rank.
+/// @throws InputError  no steps there
+[[nodiscard]] bool has_field(const std::string& folder, const std::string& name);
+
 /// The plane of cells nearest to the middle of such a field, normal to `axis`; reads that plane alone.
 /// In the result cells[axis] is 1 and origin lies at the plane's low corner. One rank.
 /// @throws InputError  as read_last_field

@@ -24,6 +24,18 @@ struct Plane {
 /// Axes to the right and up, as in the pictures of a run.
 constexpr std::array<Plane, 3> planes{Plane{{0, 1}, 2}, Plane{{0, 2}, 1}, Plane{{2, 1}, 0}};
 
+/// Where pressure means nothing: in grains, and in fines where the file says where they are.
+io::FieldVolume blocked(const std::string& folder, int normal, bool fines_too) {
+  io::FieldVolume solid = io::read_last_plane(folder, "solid_fraction", normal);
+  if (fines_too && io::has_field(folder, "fluid")) {
+    const io::FieldVolume fluid = io::read_last_plane(folder, "fluid", normal);
+    for (std::size_t at = 0; at < solid.values.size(); ++at) {
+      solid.values[at] = fluid.values[at] > 0 ? solid.values[at] : 1;
+    }
+  }
+  return solid;
+}
+
 /// Length of every vector; a scalar as it is. NaN in grains.
 std::vector<float> values_of(const io::FieldVolume& field, const io::FieldVolume& solid) {
   const auto parts = static_cast<std::size_t>(field.components);
@@ -58,7 +70,7 @@ std::vector<float> thinned(const std::vector<float>& values, const Int3& cells, 
 
 std::string map_json(const std::string& folder, const std::string& field, const Plane& plane,
                      std::size_t most) {
-  const io::FieldVolume solid = io::read_last_plane(folder, "solid_fraction", plane.normal);
+  const io::FieldVolume solid = blocked(folder, plane.normal, field == "pressure");
   const io::FieldVolume data = io::read_last_plane(folder, field, plane.normal);
   const auto [right, up] = plane.axes;
   int step = 1;

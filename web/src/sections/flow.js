@@ -28,7 +28,7 @@ function addMap(parent, map, kind) {
     name,
     height: (width) => Math.min(680, (width - 150) * aspect + 64),
     caption: `${map.quantity === "speed" ? "Speed of the water" : "Pressure"} on the plane ${map.normal} = ${
-      worded(map.position_m, "m", 3)}${kind === "inertial" || kind === "coupled" ? `, at ${worded(map.time_s, "s", 3)}` : ""}; grains are grey.${
+      worded(map.position_m, "m", 3)}${kind === "inertial" || kind === "coupled" ? `, at ${worded(map.time_s, "s", 3)}` : ""}; grains${map.quantity === "pressure" && kind === "coupled" ? " and fines" : ""} are grey.${
       map.thinned > 1 ? ` Every ${map.thinned}th cell is drawn.` : ""}`,
     csv: {
       [`${right}_m`]: rows.flatMap((row) => row.map((_, k) => map.low_m[0] + k * map.step_m[0])),
