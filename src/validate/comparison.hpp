@@ -15,13 +15,17 @@ struct Job {
   std::string name = {};
   std::string case_text = {};                                   ///< case.toml
   std::vector<std::pair<std::string, std::string>> files = {};  ///< beside it: name, content
+  std::vector<std::vector<std::string>> after =
+      {};                                  ///< commands after the run; "copy" FROM TO copies a file
   std::vector<std::string> generate = {};  ///< words after `porefines`, run before
 };
 
-/// A number of summary.json times a factor.
+/// A number of a flat JSON file of a job: offset + factor times it.
 struct FromSummary {
   std::string key = {};
   Real factor = 1;
+  Real offset = 0;
+  std::string file = "out/summary.json";
 };
 
 /// What a column of tracks.csv comes to for one particle, times a factor: its last value, less or over the first.
@@ -63,7 +67,9 @@ struct Comparison {
   std::vector<Job> jobs = {};
   std::vector<Row> rows = {};
   std::vector<std::string> literature = {};  ///< names of the further columns
-  bool logarithmic = false;                  ///< axis of the quantity
+  std::vector<std::pair<std::string, std::string>> pictures =
+      {};                    ///< of the first job: file, caption
+  bool logarithmic = false;  ///< axis of the quantity
 };
 
 /// All comparisons, those that take longest last.
@@ -74,6 +80,7 @@ struct Comparison {
 void add_permeability(std::vector<Comparison>& list);          ///< references.md A1, A2, A3, A5
 void add_contact(std::vector<Comparison>& list);               ///< references.md C, B3
 void add_cylinder(std::vector<Comparison>& list, bool quick);  ///< thesis table 1, references.md A4
+void add_microscope(std::vector<Comparison>& list);            ///< thesis figs. 17 to 19
 void add_chip(std::vector<Comparison>& list);                  ///< thesis table 2
 
 }  // namespace porefines::validate

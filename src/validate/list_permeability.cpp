@@ -63,7 +63,7 @@ Comparison spheres() {
                       .job = c.jobs.size(),
                       .source = FromSummary{"drag_coefficient_mean"},
                       .reference = known.factor,
-                      .tolerance = 0.01});
+                      .tolerance = 0.005});
     c.jobs.push_back(sphere_job(known.lattice, *known.places, known.share));
   }
   return c;
@@ -112,7 +112,7 @@ Comparison cylinders() {
          .job = c.jobs.size(),
          .source = FromSummary{"drag_per_length_over_viscosity_velocity"},
          .reference = known.drag,
-         .tolerance = 0.01});
+         .tolerance = 0.005});
     c.jobs.push_back(cylinder_job(known.hexagonal, known.share));
   }
   return c;

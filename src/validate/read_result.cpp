@@ -12,8 +12,8 @@ namespace porefines::validate {
 namespace {
 
 Reading read(const FromSummary& source, const Row& row, const std::vector<std::string>& folders) {
-  return {.value = source.factor *
-                   number_in(read_whole(folders[row.job] + "/out/summary.json"), source.key)};
+  const Real number = number_in(read_whole(folders[row.job] + "/" + source.file), source.key);
+  return {.value = source.offset + source.factor * number};
 }
 
 Reading read(const FromTracks& source, const Row& row, const std::vector<std::string>& folders) {

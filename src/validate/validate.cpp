@@ -13,6 +13,7 @@
 #include "core/suggest.hpp"
 #include "io/provenance.hpp"
 #include "page/pack.hpp"
+#include "page/pictures.hpp"
 #include "page/write_report.hpp"
 #include "validate/launch.hpp"
 #include "validate/read_result.hpp"
@@ -87,8 +88,16 @@ std::string comparison_json(const ValidateOptions& options, const Comparison& co
                              reading.value, row.reference,
                              100 * (reading.value / row.reference - 1));
   }
+  std::vector<std::string> pictures;
+  for (const auto& [file, caption] : comparison.pictures) {
+    Json picture;
+    picture.set("address", page::picture_address(folders.front() + "/" + file, 1000));
+    picture.set("caption", caption);
+    pictures.push_back(picture.text());
+  }
   Json json;
   json.set("name", comparison.name);
+  json.set_json("pictures", page::json_list(pictures));
   json.set("title", comparison.title);
   json.set("quantity", comparison.quantity);
   json.set("along", comparison.along);

@@ -1,6 +1,6 @@
 // The page of porefines validate: a table and a figure per comparison, green or red with its tolerance.
 import { h } from "./dom.js";
-import { addFigure } from "./plot.js";
+import { addFigure, frame } from "./plot.js";
 import { themeSwitch } from "./sections/header.js";
 import { hue } from "./theme.js";
 import { duration, number, percent } from "./units.js";
@@ -62,5 +62,7 @@ export function showValidation(page, data) {
     if (comparison.along) {
       figure(section, comparison);
     }
+    comparison.pictures.filter(({ address }) => address).forEach(({ address, caption }, k) =>
+      section.append(frame(`${comparison.name}-picture-${k}`, h("img", { src: address, alt: caption }), caption)));
   }
 }
