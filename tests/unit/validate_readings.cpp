@@ -13,9 +13,9 @@ namespace {
 const std::string tracks = "time_s,id,x_m,w_m_s\n0,1,5,1\n0,2,1,-0.4\n1,1,6,1\n1,2,3,0.1\n1,2,cut";
 
 /// Three folders of runs; k = 2 + h^2 on cells of 4, 2 and 1.
-class Readings : public ::testing::Test {
+class ValidateReadings : public ::testing::Test {
  protected:
-  Readings() {
+  ValidateReadings() {
     for (const int h : {4, 2, 1}) {
       folders_.push_back(scratch_ / ("h" + std::to_string(h)));
       make_folder(folders_.back() + "/out");
@@ -28,7 +28,7 @@ class Readings : public ::testing::Test {
   std::vector<std::string> folders_;
 };
 
-TEST_F(Readings, come_from_the_summary_and_the_tracks) {
+TEST_F(ValidateReadings, come_from_the_summary_and_the_tracks) {
   using enum FromTracks::Measure;
   const auto value = [&](const Source& source) {
     return read_row({.job = 1, .source = source}, folders_).value;
@@ -41,13 +41,13 @@ TEST_F(Readings, come_from_the_summary_and_the_tracks) {
   EXPECT_TRUE(std::isnan(value(FromTracks{7, "x_m", last})));
 }
 
-TEST_F(Readings, extrapolate_second_order_exactly) {
+TEST_F(ValidateReadings, extrapolate_second_order_exactly) {
   const Reading reading = read_row({.source = Extrapolated{"k", {4, 2, 1}}}, folders_);
   EXPECT_NEAR(reading.value, 2, 1e-14);
   EXPECT_NEAR(reading.error, 1, 1e-14);
 }
 
-TEST_F(Readings, agree_within_the_tolerance_only) {
+TEST_F(ValidateReadings, agree_within_the_tolerance_only) {
   const Row row{.reference = -2, .tolerance = 0.01};
   EXPECT_TRUE(agrees(row, {-2.0199}));
   EXPECT_FALSE(agrees(row, {-2.0201}));
