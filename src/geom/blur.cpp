@@ -3,6 +3,8 @@
 
 #include <numeric>
 
+#include "geom/voxels.hpp"
+
 namespace porefines::geom {
 
 std::vector<int> gaussian_weights(Real sigma) {
@@ -69,7 +71,9 @@ std::vector<std::uint16_t> blur(const std::vector<std::uint8_t>& indicator, Int3
                                 const std::vector<int>& weights) {
   constexpr int shift = 15;
   const bool flat = n[2] == 1;
-  auto phi = pass(indicator, n, 0, weights, 0);
+  constexpr int full = 7;
+  static_assert(1 << full == full_share);
+  auto phi = pass(indicator, n, 0, weights, full);
   phi = pass(phi, n, 1, weights, shift);
   return flat ? phi : pass(phi, n, 2, weights, shift);
 }

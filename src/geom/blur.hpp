@@ -16,7 +16,7 @@ inline constexpr int blur_one = 1 << 15;
 /// blurred value the same in any window.
 [[nodiscard]] std::vector<int> gaussian_weights(Real sigma);
 
-/// Convolve a 0/1 volume with the Gaussian along x, y and (unless n[2] = 1) z.
+/// Convolve a volume of 0..full_share (voxels.hpp) with the Gaussian along x, y and (unless n[2] = 1) z.
 ///
 /// The result is smaller by r on each side of each blurred axis: only complete sums are kept.
 /// @param n        size of the indicator; on return the size of the result

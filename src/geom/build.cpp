@@ -61,6 +61,7 @@ Voxels read_voxels(const Spec& spec, Sample& sample) {
   Voxels voxels = segment(read_cropped(spec, spec.source), spec.segmentation, spec.source);
   sample.found_pores = count_pores(voxels);
   clean(spec, voxels);
+  keep_shares_of_unchanged(voxels);
   sample.kept_pores = count_pores(voxels);
   return voxels;
 }

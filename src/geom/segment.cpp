@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -62,7 +63,88 @@ void require_binary(const Histogram& histogram, int pore_value, const GreyVolume
   }
 }
 
+/// The level that half of the voxels of a class reach: what a voxel wholly of that class looks like.
+Real middle_level(const Histogram& histogram, int first, int past) {
+  Index total = 0;
+  for (int level = first; level < past; ++level) {
+    total += histogram[static_cast<std::size_t>(level)];
+  }
+  Index below = 0;
+  int level = first;
+  for (; level + 1 < past; ++level) {
+    below += histogram[static_cast<std::size_t>(level)];
+    if (2 * below >= total) {
+      break;
+    }
+  }
+  return level;
+}
+
+/// Pore share of a voxel of each grey level: linear from the middle level of each class to the cut,
+/// which is midway between them where the threshold is Otsu's.
+std::array<std::uint8_t, 256> shares_of_levels(const Histogram& histogram, int threshold,
+                                               const Segmentation& how) {
+  constexpr int half = full_share / 2;
+  const Real dark = middle_level(histogram, 0, threshold);
+  const Real bright = middle_level(histogram, threshold, 256);
+  const Real cut = how.otsu ? 0.5 * (dark + bright) : threshold - 0.5;
+  std::array<std::uint8_t, 256> share{};
+  for (int level = 0; level < 256; ++level) {
+    const Real full = level > cut ? bright - cut : cut - dark;
+    const Real towards_bright = std::clamp((level - cut) / full, -1.0, 1.0);
+    const auto of_half =
+        static_cast<int>(std::lround(half * (how.pore_is_bright ? 1 : -1) * towards_bright));
+    const bool pore = (level >= threshold) == how.pore_is_bright;
+    share[static_cast<std::size_t>(level)] = static_cast<std::uint8_t>(
+        pore ? std::max(half + of_half, half) : std::min(half + of_half, half - 1));
+  }
+  return share;
+}
+
+/// Voxels of one phase with all their neighbours are full: what varies there is noise. Forgets the
+/// shares where then all are full.
+void fill_inside(Voxels& voxels) {
+  const Int3 n = voxels.n;
+  const auto alone = [&](int i, int j, int k) {
+    const bool pore = voxels.at(i, j, k);
+    for (int c = std::max(k - 1, 0); c <= std::min(k + 1, n[2] - 1); ++c) {
+      for (int b = std::max(j - 1, 0); b <= std::min(j + 1, n[1] - 1); ++b) {
+        for (int a = std::max(i - 1, 0); a <= std::min(i + 1, n[0] - 1); ++a) {
+          if (voxels.at(a, b, c) != pore) {
+            return false;
+          }
+        }
+      }
+    }
+    return true;
+  };
+  bool partial = false;
+  for (int k = 0; k < n[2]; ++k) {
+    for (int j = 0; j < n[1]; ++j) {
+      for (int i = 0; i < n[0]; ++i) {
+        std::uint8_t& share = voxels.share[static_cast<std::size_t>(voxel_index(n, i, j, k))];
+        if (share != 0 && share != full_share && alone(i, j, k)) {
+          share = voxels.at(i, j, k) ? full_share : 0;
+        }
+        partial = partial || (share != 0 && share != full_share);
+      }
+    }
+  }
+  if (!partial) {
+    voxels.share.clear();
+  }
+}
+
 }  // namespace
+
+void keep_shares_of_unchanged(Voxels& voxels) {
+  for (std::size_t v = 0; v < voxels.share.size(); ++v) {
+    const bool pore = voxels.pore[v] != 0;
+    if ((2 * voxels.share[v] >= full_share) != pore) {
+      voxels.share[v] = pore ? full_share : 0;
+    }
+  }
+}
 
 int otsu_threshold(const GreyVolume& image, const std::string& name) {
   const Histogram histogram = count_levels(image);
@@ -102,8 +184,11 @@ int otsu_threshold(const GreyVolume& image, const std::string& name) {
 
 Voxels segment(GreyVolume image, const Segmentation& how, const std::string& name) {
   std::array<std::uint8_t, 256> is_pore{};
-  if (how.otsu || how.threshold) {
+  std::array<std::uint8_t, 256> share{};
+  const bool grey = how.otsu || how.threshold;
+  if (grey) {
     const int t = how.otsu ? otsu_threshold(image, name) : *how.threshold;
+    share = shares_of_levels(count_levels(image), t, how);
     for (int level = 0; level < 256; ++level) {
       is_pore[static_cast<std::size_t>(level)] = (level >= t) == how.pore_is_bright ? 1 : 0;
     }
@@ -111,6 +196,12 @@ Voxels segment(GreyVolume image, const Segmentation& how, const std::string& nam
     const int value = how.pore_value == 65535 ? 255 : how.pore_value;  // 16-bit full scale
     require_binary(count_levels(image), value, image, name);
     is_pore[static_cast<std::size_t>(value)] = 1;
+  }
+  Voxels voxels{image.n, {}, {}};
+  if (grey) {
+    voxels.share.resize(image.grey.size());
+    std::transform(image.grey.begin(), image.grey.end(), voxels.share.begin(),
+                   [&](std::uint8_t level) { return share[level]; });
   }
   Index pores = 0;
   for (std::uint8_t& voxel : image.grey) {
@@ -123,7 +214,11 @@ Voxels segment(GreyVolume image, const Segmentation& how, const std::string& nam
                     "or \"otsu\".",
                     name, pores == 0 ? "grain" : "pore"));
   }
-  return {image.n, std::move(image.grey)};
+  voxels.pore = std::move(image.grey);
+  if (grey) {
+    fill_inside(voxels);
+  }
+  return voxels;
 }
 
 GreyVolume crop(GreyVolume image, const Int3& first, const Int3& past, const std::string& name) {

@@ -27,9 +27,17 @@ struct Segmentation {
 
 /// Binary volume of a grey one. Reuses the memory of `image`.
 ///
+/// With a threshold t the voxels at the surface keep how much of them is pore, from their level:
+///
+///     share = 1/2 +- 1/2 min(|level - t|/|full - t|, 1),   full: the median level of their class
+///
+/// Test: unit/geom_grey (discs to 0.03 pixel where the binary picture gives 0.15).
 /// Errors: InputError when pore_value does not occur, or when an image with more than 16 grey
 /// levels comes without a threshold; also when everything or nothing is pore.
 [[nodiscard]] Voxels segment(GreyVolume image, const Segmentation& how, const std::string& name);
+
+/// Shares where the pores have not been changed since; elsewhere voxels are full.
+void keep_shares_of_unchanged(Voxels& voxels);
 
 /// Part {first, past last} of a volume, in voxels with y upwards; all zeros: everything.
 [[nodiscard]] GreyVolume crop(GreyVolume image, const Int3& first, const Int3& past,

@@ -84,9 +84,11 @@ void throw_everywhere(const std::string& text, MPI_Comm communicator) {
   throw InputError(message);
 }
 
-SharedVoxels share(Voxels mine, MPI_Comm communicator) {
-  MPI_Bcast(mine.n.data(), 3, MPI_INT, 0, communicator);
-  const auto bytes = static_cast<std::size_t>(product(mine.n));
+namespace {
+
+/// The bytes of rank 0, readable by all. Collective.
+std::shared_ptr<const std::uint8_t> share_bytes(std::vector<std::uint8_t> mine, std::size_t bytes,
+                                                MPI_Comm communicator) {
   int ranks = 1;
   MPI_Comm_size(communicator, &ranks);
   std::shared_ptr<std::uint8_t> memory;
@@ -107,11 +109,11 @@ SharedVoxels share(Voxels mine, MPI_Comm communicator) {
     MPI_Comm_free(&node);
   }
   if (!memory) {
-    auto held = std::make_shared<std::vector<std::uint8_t>>(std::move(mine.pore));
+    auto held = std::make_shared<std::vector<std::uint8_t>>(std::move(mine));
     held->resize(bytes);
     memory = std::shared_ptr<std::uint8_t>(held, held->data());
   } else if (rank_in(communicator) == 0) {
-    std::memcpy(memory.get(), mine.pore.data(), bytes);
+    std::memcpy(memory.get(), mine.data(), bytes);
   }
   if (leaders != MPI_COMM_NULL) {
     broadcast_bytes(memory.get(), bytes, leaders);
@@ -120,7 +122,21 @@ SharedVoxels share(Voxels mine, MPI_Comm communicator) {
   if (ranks > 1) {
     MPI_Barrier(communicator);  // written before anyone reads
   }
-  return {mine.n, memory};
+  return memory;
+}
+
+}  // namespace
+
+SharedVoxels share(Voxels mine, MPI_Comm communicator) {
+  MPI_Bcast(mine.n.data(), 3, MPI_INT, 0, communicator);
+  const auto bytes = static_cast<std::size_t>(product(mine.n));
+  int grey = mine.share.empty() ? 0 : 1;
+  MPI_Bcast(&grey, 1, MPI_INT, 0, communicator);
+  SharedVoxels all{mine.n, share_bytes(std::move(mine.pore), bytes, communicator), nullptr};
+  if (grey != 0) {
+    all.share = share_bytes(std::move(mine.share), bytes, communicator);
+  }
+  return all;
 }
 
 }  // namespace porefines::geom

@@ -14,9 +14,10 @@ namespace porefines::geom {
 /// (POSIX shm), else one per rank. Copies of this struct share the memory.
 struct SharedVoxels {
   Int3 n{0, 0, 0};
-  std::shared_ptr<const std::uint8_t> pore;
+  std::shared_ptr<const std::uint8_t> pore = nullptr;
+  std::shared_ptr<const std::uint8_t> share = nullptr;  ///< null where Voxels::share is empty
 
-  [[nodiscard]] VoxelView view() const { return {n, pore.get()}; }
+  [[nodiscard]] VoxelView view() const { return {n, pore.get(), share.get()}; }
 };
 
 /// Give the volume of rank 0 to all ranks. Collective; `mine` is ignored elsewhere.

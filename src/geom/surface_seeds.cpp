@@ -31,7 +31,7 @@ struct Grid3 {
 std::vector<std::uint8_t> copy_indicator(const VoxelView& image, const Surroundings& beyond,
                                          const Window& window) {
   const Int3 n = window.size();
-  std::vector<std::uint8_t> out(static_cast<std::size_t>(product(n)), 1);
+  std::vector<std::uint8_t> out(static_cast<std::size_t>(product(n)), full_share);
   std::vector<int> column(static_cast<std::size_t>(n[0]));
   for (int i = 0; i < n[0]; ++i) {
     column[static_cast<std::size_t>(i)] = fold(i + window.first[0], image.n[0], beyond[0]);
@@ -44,10 +44,15 @@ std::vector<std::uint8_t> copy_indicator(const VoxelView& image, const Surroundi
       if (b < 0 || c < 0) {
         continue;
       }
-      const std::uint8_t* source = image.pore + voxel_index(image.n, 0, b, c);
+      const Index from = voxel_index(image.n, 0, b, c);
       for (int i = 0; i < n[0]; ++i) {
         const int a = column[static_cast<std::size_t>(i)];
-        row[i] = a < 0 || source[a] != 0 ? 1 : 0;
+        if (a < 0) {
+          continue;
+        }
+        row[i] = image.share != nullptr      ? image.share[from + a]
+                 : image.pore[from + a] != 0 ? full_share
+                                             : std::uint8_t{0};
       }
     }
   }
@@ -89,21 +94,24 @@ bool must_keep(const Neighbourhood& around, const Neighbourhood& flipped, bool f
   return true;
 }
 
-/// The binary volume and its blurred, inverted image raw on a smaller window.
+/// The pore shares and their blurred, inverted image raw on a smaller window.
 struct Blurred {
-  const std::vector<std::uint8_t>& pore;
+  const std::vector<std::uint8_t>& share;
   const Grid3& pore_grid;
   std::vector<float>& raw;
   const Grid3& grid;
   bool flat;
 
-  [[nodiscard]] bool is_flipped(Index v, bool is_pore) const {
-    return (raw[static_cast<std::size_t>(v)] > 0) != is_pore;
+  [[nodiscard]] bool is_pore(Index u) const {
+    return 2 * share[static_cast<std::size_t>(u)] >= full_share;
+  }
+  [[nodiscard]] bool is_flipped(Index v, bool was_pore) const {
+    return (raw[static_cast<std::size_t>(v)] > 0) != was_pore;
   }
 
   /// Voxel u of the binary volume is voxel v of raw: flipped, but not allowed to.
   [[nodiscard]] bool needs_rescue(Index u, Index v) const {
-    if (!is_flipped(v, pore[static_cast<std::size_t>(u)] != 0)) {
+    if (!is_flipped(v, is_pore(u))) {
       return false;
     }
     Neighbourhood around{};
@@ -113,10 +121,10 @@ struct Blurred {
       const int dy = a / 3 % 3 - 1;
       const int dz = a / 9 - 1;
       const Index at = u + dx + dy * pore_grid.stride[1] + dz * pore_grid.stride[2];
-      const bool is_pore = pore[static_cast<std::size_t>(at)] != 0;
+      const bool was_pore = is_pore(at);
       const Index there = v + dx + dy * grid.stride[1] + dz * grid.stride[2];
-      around[static_cast<std::size_t>(a)] = is_pore ? 1 : 0;
-      flipped[static_cast<std::size_t>(a)] = is_flipped(there, is_pore) ? 1 : 0;
+      around[static_cast<std::size_t>(a)] = was_pore ? 1 : 0;
+      flipped[static_cast<std::size_t>(a)] = is_flipped(there, was_pore) ? 1 : 0;
     }
     return must_keep(around, flipped, flat);
   }
@@ -132,8 +140,7 @@ Index rescue(const Window& where, const Window& count_in, const Blurred& blurred
       Index u = blurred.pore_grid.at(where.first[0], j, k);
       for (int i = where.first[0]; i < where.past[0]; ++i, ++v, ++u) {
         if (blurred.needs_rescue(u, v)) {
-          const bool is_pore = blurred.pore[static_cast<std::size_t>(u)] != 0;
-          kept.emplace_back(v, is_pore ? rescued_value : -rescued_value);
+          kept.emplace_back(v, blurred.is_pore(u) ? rescued_value : -rescued_value);
           counted += count_in.holds(i, j, k) ? 1 : 0;
         }
       }

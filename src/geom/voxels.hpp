@@ -27,22 +27,30 @@ using Surroundings = std::array<Beyond, 3>;
 struct VoxelView {
   Int3 n{0, 0, 0};
   const std::uint8_t* pore = nullptr;
+  const std::uint8_t* share = nullptr;  ///< see Voxels; null: all are full
 
   [[nodiscard]] bool at(int i, int j, int k) const { return pore[voxel_index(n, i, j, k)] != 0; }
 };
+
+/// Pore share of a voxel that is pore throughout; from half of it on a voxel counts as pore.
+inline constexpr std::uint8_t full_share = 128;
 
 /// A binary volume of one byte per voxel.
 struct Voxels {
   Int3 n{0, 0, 0};
-  std::vector<std::uint8_t> pore;
+  std::vector<std::uint8_t> pore = {};
+  /// Of a grey image: how much of each voxel is pore, 0..full_share. Empty: all of it, or nothing.
+  std::vector<std::uint8_t> share = {};
 
   [[nodiscard]] std::uint8_t& at(int i, int j, int k) { return pore[voxel_index(n, i, j, k)]; }
   [[nodiscard]] bool at(int i, int j, int k) const { return pore[voxel_index(n, i, j, k)] != 0; }
-  [[nodiscard]] VoxelView view() const { return {n, pore.data()}; }
+  [[nodiscard]] VoxelView view() const {
+    return {n, pore.data(), share.empty() ? nullptr : share.data()};
+  }
 };
 
 [[nodiscard]] inline Voxels make_voxels(const Int3& n, std::uint8_t value) {
-  return {n, std::vector<std::uint8_t>(static_cast<std::size_t>(product(n)), value)};
+  return {n, std::vector<std::uint8_t>(static_cast<std::size_t>(product(n)), value), {}};
 }
 
 /// Index inside the sample that stands for index i along an axis; -1 where there is open pore.
