@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "geom/segment.hpp"
 #include "geom/voxel_solid.hpp"
 
 namespace porefines::test {
@@ -31,6 +32,9 @@ inline geom::VoxelSolid sampled(const Int3& n, Real pixel, const Distance& dista
   return solid;
 }
 
+constexpr geom::Surroundings mirrored_beyond{geom::Beyond::mirror, geom::Beyond::mirror,
+                                             geom::Beyond::mirror};
+
 /// The solid that porefines makes of the binary image of a shape, known `margin` voxels beyond it.
 inline geom::VoxelSolid pictured(const Int3& n, Real pixel, const Distance& distance,
                                  int margin = 8) {
@@ -42,9 +46,28 @@ inline geom::VoxelSolid pictured(const Int3& n, Real pixel, const Distance& dist
       }
     }
   }
-  constexpr geom::Surroundings mirrored{geom::Beyond::mirror, geom::Beyond::mirror,
-                                        geom::Beyond::mirror};
-  return geom::smooth_solid(voxels.view(), pixel, mirrored, around(n, margin), {1, 8});
+  return geom::smooth_solid(voxels.view(), pixel, mirrored_beyond, around(n, margin), {1, 8});
+}
+
+/// And of a grey one, in which a pixel is as bright as much of it is pore; flat.
+inline geom::VoxelSolid photographed(const Int3& n, Real pixel, const Distance& distance,
+                                     int margin = 8) {
+  constexpr int points = 10;  // a side
+  geom::GreyVolume image{n, {}};
+  for (int j = 0; j < n[1]; ++j) {
+    for (int i = 0; i < n[0]; ++i) {
+      int pore = 0;
+      for (int p = 0; p < points * points; ++p) {
+        const Vec3 x{i + (p % points + 0.5) / points, j + (p / points + 0.5) / points, 0};
+        pore += distance(x) > 0 ? 1 : 0;
+      }
+      image.grey.push_back(static_cast<std::uint8_t>(30 + 2 * pore));
+    }
+  }
+  geom::Segmentation how;
+  how.otsu = true;
+  const geom::Voxels voxels = geom::segment(std::move(image), how, "photograph");
+  return geom::smooth_solid(voxels.view(), pixel, mirrored_beyond, around(n, margin), {1, 8});
 }
 
 }  // namespace porefines::test

@@ -263,6 +263,14 @@ TEST(GrainContact, rolling_over_a_grain_feels_no_jumps_and_does_not_slip) {
     EXPECT_LT(ride.jump, 0.01);
     EXPECT_EQ(ride.held, ride.steps);
   }
+  for (const Real voxels : {8.0, 16.0}) {  // the levels of a grey picture know better
+    const int n = static_cast<int>(10 * voxels);
+    const Ride ride =
+        roll(field(photographed({n, n, 1}, 1 / voxels, disc(voxels))), centre, grain, 0.02, 0.4);
+    EXPECT_LT(ride.jump, 0.01) << voxels;
+    EXPECT_EQ(ride.held, ride.steps) << voxels;
+    EXPECT_LT(ride.rms, 1e-3) << voxels;
+  }
 }
 
 namespace {
@@ -361,6 +369,25 @@ TEST(GrainContact, force_is_continuous_over_the_dips_of_a_pictured_grain) {
     }
   }
   EXPECT_GT(shared, 100);  // such places were met
+}
+
+/// All round a disc of 3 diameters, in a grey picture: how far the sphere's centre is off.
+TEST(GrainContact, sphere_rides_a_photographed_grain_at_its_true_height) {
+  constexpr Real grain = 1.5;
+  const Vec3 centre{3.03, 2.98, 3.01};
+  for (const auto& [voxels, most] : {std::pair{8.0, 6e-3}, {16.0, 3e-3}}) {
+    const int n = static_cast<int>(6 * voxels);
+    const auto distance = [&, v = voxels](const Vec3& x) {
+      return std::hypot(x.x - v * centre.x, x.y - v * centre.y) - v * grain;
+    };
+    const Slide s = slide(field(photographed({n, n, 1}, 1 / voxels, distance)), centre, grain,
+                          {1, 0, 0}, {0, 1, 0}, 2 * std::numbers::pi * 2, 1e-3);
+    std::printf("[ measured ] %2.0f voxels a diameter: %+.2f to %+.2f %% of d\n", voxels,
+                100 * s.lowest, 100 * s.highest);
+    EXPECT_GT(s.lowest + overlap, -most) << voxels;
+    EXPECT_LT(s.highest + overlap, most) << voxels;
+    EXPECT_LT(s.jump, 0.1) << voxels;  // steps ten times those above
+  }
 }
 
 }  // namespace porefines::test
