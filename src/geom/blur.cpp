@@ -67,13 +67,13 @@ std::vector<std::uint16_t> pass(const std::vector<Value>& in, Int3& n, int axis,
 
 }  // namespace
 
-std::vector<std::uint16_t> blur(const std::vector<std::uint8_t>& indicator, Int3& n,
+std::vector<std::uint16_t> blur(const std::vector<std::uint8_t>& share, Int3& n,
                                 const std::vector<int>& weights) {
   constexpr int shift = 15;
   const bool flat = n[2] == 1;
   constexpr int full = 7;
   static_assert(1 << full == full_share);
-  auto phi = pass(indicator, n, 0, weights, full);
+  auto phi = pass(share, n, 0, weights, full);
   phi = pass(phi, n, 1, weights, shift);
   return flat ? phi : pass(phi, n, 2, weights, shift);
 }

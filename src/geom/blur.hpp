@@ -8,7 +8,7 @@
 
 namespace porefines::geom {
 
-/// Full scale of a blurred indicator: 32768 stands for 1.
+/// Full scale of a blurred share: 32768 stands for 1.
 inline constexpr int blur_one = 1 << 15;
 
 /// Weights w_k, k = -r..r, of a Gaussian of standard deviation sigma [pixels], as integers with
@@ -19,10 +19,10 @@ inline constexpr int blur_one = 1 << 15;
 /// Convolve a volume of 0..full_share (voxels.hpp) with the Gaussian along x, y and (unless n[2] = 1) z.
 ///
 /// The result is smaller by r on each side of each blurred axis: only complete sums are kept.
-/// @param n        size of the indicator; on return the size of the result
+/// @param n        size of the share; on return the size of the result
 /// @return         phi in 0..blur_one
 /// Cost: 3 (2r + 1) integer multiply-adds per voxel, vectorised along x.
-[[nodiscard]] std::vector<std::uint16_t> blur(const std::vector<std::uint8_t>& indicator, Int3& n,
+[[nodiscard]] std::vector<std::uint16_t> blur(const std::vector<std::uint8_t>& share, Int3& n,
                                               const std::vector<int>& weights);
 
 }  // namespace porefines::geom

@@ -6,6 +6,7 @@
 #include "geom/blur.hpp"
 #include "geom/nearest.hpp"
 #include "geom/simple_point.hpp"
+#include "geom/voxels.hpp"
 
 namespace porefines::geom {
 
@@ -69,11 +70,11 @@ TEST(Blur, weights_add_up_and_the_edge_of_a_half_plane_is_one_half) {
   }
   EXPECT_EQ(sum, blur_one);
   Int3 n{24, static_cast<int>(weights.size()), 1};
-  std::vector<std::uint8_t> indicator(static_cast<std::size_t>(product(n)));
-  for (std::size_t v = 0; v < indicator.size(); ++v) {
-    indicator[v] = v % 24 >= 12 ? 1 : 0;
+  std::vector<std::uint8_t> share(static_cast<std::size_t>(product(n)));
+  for (std::size_t v = 0; v < share.size(); ++v) {
+    share[v] = v % 24 >= 12 ? full_share : std::uint8_t{0};
   }
-  const auto phi = blur(indicator, n, weights);
+  const auto phi = blur(share, n, weights);
   ASSERT_EQ(n[1], 1);
   const auto middle = static_cast<std::size_t>(12 - static_cast<int>(weights.size()) / 2);
   EXPECT_EQ(phi[middle - 1] + phi[middle], blur_one);  // odd about the edge
