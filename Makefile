@@ -6,7 +6,7 @@
 BUILD := build/release
 export CCACHE_BASEDIR := $(CURDIR)
 
-.PHONY: all setup build install demo check bench compare-openfoam compare-liggghts compare-coupled validate lint format fuzz clean
+.PHONY: all setup build install demo check bench compare-openfoam compare-liggghts compare-coupled cross-check validate lint format fuzz clean
 
 all: build
 
@@ -38,6 +38,10 @@ compare-openfoam: build
 compare-liggghts: build
 	@cmake --build --preset release --target dem_speed
 	@bench/liggghts/compare.sh
+
+cross-check: build
+	@bash -c '. bench/need_packages.sh; need_packages openfoam liggghts'
+	@ctest --preset engines
 
 compare-coupled: build
 	@bench/coupled/compare.sh

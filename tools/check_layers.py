@@ -19,6 +19,7 @@ SEES = {
     "scale": {"core", "par", "io", "report"},
     "vision": {"core", "config", "io", "report"},
     "sim": {"core", "config", "par", "grid", "geom", "flow", "dem", "io", "analysis", "report"},
+    "interop": {"core", "config", "par", "geom", "flow", "sim"},
     "page": {"core", "config", "geom", "io", "sim"},
     "validate": {"core", "io", "page"},
 }
