@@ -29,17 +29,26 @@ std::array<bool, 3> periodic_axes(const config::Case& c) {
   return config::is_dry(c) ? c.box.periodic : c.flow.periodic;
 }
 
-/// Rayleigh's criterion over all species; pi r sqrt(rho/G) / (0.1631 nu +
-/// 0.8766).
+/// Smallest and largest diameter [m] of a species: of its list, if it has one.
+std::array<Real, 2> diameters_of(const config::Particles& p) {
+  if (p.source.empty()) {
+    return {p.diameter.smallest > 0 ? p.diameter.smallest : p.diameter.mean,
+            std::max(p.diameter.mean, p.diameter.largest)};
+  }
+  std::array<Real, 2> range{INFINITY, 0};
+  for (const auto& body : sim::read_spheres(p.source, p.diameter.mean)) {
+    range = {std::min(range[0], 2 * body.radius), std::max(range[1], 2 * body.radius)};
+  }
+  return range;
+}
+
+/// Rayleigh's criterion over all species; pi r sqrt(rho/G) / (0.1631 nu + 0.8766).
 Real time_step(const config::Case& c) {
-  Real least = 1;
+  Real least = INFINITY;
   for (const config::Particles& p : c.particles) {
-    const Real smallest = p.diameter.smallest > 0 ? p.diameter.smallest : p.diameter.mean;
     const Real shear = p.young / (2 * (1 + p.poisson));
-    if (smallest > 0) {
-      least = std::min(least, std::numbers::pi * smallest / 2 * std::sqrt(p.density / shear) /
-                                  (0.1631 * p.poisson + 0.8766));
-    }
+    least = std::min(least, std::numbers::pi * diameters_of(p)[0] / 2 *
+                                std::sqrt(p.density / shear) / (0.1631 * p.poisson + 0.8766));
   }
   return step_share * least;
 }
@@ -152,7 +161,7 @@ std::string head(const DemCase& dem) {
   const auto periodic = periodic_axes(c);
   Real largest = 0;
   for (const config::Particles& p : c.particles) {
-    largest = std::max({largest, p.diameter.mean, p.diameter.largest});
+    largest = std::max(largest, diameters_of(p)[1]);
   }
   std::string text = fmt::format(
       "# {} for LIGGGHTS: liggghts -in in.porefines\n"
