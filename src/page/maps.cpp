@@ -93,8 +93,9 @@ std::string map_json(const std::string& folder, const std::string& field, const 
   json.set_json("axes", fmt::format(R"(["{}","{}"])", names[right], names[up]));
   json.set("thinned", step);
   json.set_json("n", fmt::format("[{},{}]", width, height));
+  const int half = step / 2;
   const auto first = [&](int axis) {
-    return data.origin[axis] + (step / 2 + 0.5) * data.spacing[axis];
+    return data.origin[axis] + (half + 0.5) * data.spacing[axis];
   };
   json.set_json("low_m", json_numbers(std::array{first(right), first(up)}));
   json.set_json("step_m",

@@ -2,9 +2,9 @@
 #include "validate/launch.hpp"
 
 #include <atomic>
-#include <cstring>
 #include <filesystem>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 #include <fcntl.h>
@@ -95,7 +95,8 @@ int run_self(const std::string& folder, const std::vector<std::string>& words) {
                                  pointers(command).data(), pointers(environment).data());
   posix_spawn_file_actions_destroy(&actions);
   if (failed != 0) {
-    throw RunError("cannot start " + command[0] + " in " + folder + ": " + std::strerror(failed));
+    throw RunError("cannot start " + command[0] + " in " + folder + ": " +
+                   std::generic_category().message(failed));
   }
   int status = 0;
   waitpid(child, &status, 0);
