@@ -2,6 +2,7 @@
 #include "validate/launch.hpp"
 
 #include <atomic>
+#include <cstring>
 #include <filesystem>
 #include <mutex>
 #include <system_error>
