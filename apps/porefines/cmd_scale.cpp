@@ -14,7 +14,6 @@
 #include "core/atomic_file.hpp"
 #include "core/cores.hpp"
 #include "core/error.hpp"
-#include "core/signals.hpp"
 #include "geom/image_write.hpp"
 #include "geom/micromodel.hpp"
 #include "ranks.hpp"
@@ -100,11 +99,7 @@ void add_scale(CLI::App& app, int& code) {
     } else {
       a->options.cases = {a->case_file};
     }
-    try {
-      code = scale::run_scale(a->options);
-    } catch (const Interrupted& stop) {
-      code = exit_code::signal_base + stop.signal;
-    }
+    code = scale::run_scale(a->options);
   });
 }
 

@@ -5,10 +5,10 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <mpi.h>
 
 #include "commands.hpp"
 #include "core/error.hpp"
+#include "ranks.hpp"
 #include "validate/validate.hpp"
 
 namespace porefines {
@@ -25,13 +25,10 @@ void add_validate(CLI::App& app, int& exit_code) {
   command->add_flag("--quick", options->quick, "leave out what takes longer, on coarser grids");
   command->add_option("--only", options->only, "names of comparisons");
   command->add_option("-o,--output", options->output_dir, "output folder (validate)");
-  command->add_option("-j,--jobs", options->at_once, "runs side by side; default: processors");
+  command->add_option("-j,--jobs", options->at_once, "runs side by side; default: physical cores");
   command->callback([options, &exit_code] {
-    int rank = 0;
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-    if (rank == 0) {
-      exit_code = validate::run_validation(*options);
-    }
+    require_one_rank("validate", "-j N is how many runs go side by side");
+    exit_code = validate::run_validation(*options);
   });
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MPL-2.0
 #include "core/json_read.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
+
+#include "core/read_text.hpp"
 
 namespace porefines {
 namespace {
@@ -96,8 +97,7 @@ std::optional<FlatJson> parse_flat_json(const std::string& text) {
 }
 
 std::optional<FlatJson> read_flat_json(const std::string& path) {
-  std::ifstream file(path);
-  return file ? parse_flat_json({std::istreambuf_iterator<char>(file), {}}) : std::nullopt;
+  return parse_flat_json(read_text(path));
 }
 
 }  // namespace porefines

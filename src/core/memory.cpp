@@ -5,19 +5,15 @@
 #include <array>
 #include <charconv>
 #include <fstream>
-#include <iterator>
 #include <limits>
 
 #include <fmt/format.h>
 #include <malloc.h>
 
+#include "core/read_text.hpp"
+
 namespace porefines {
 namespace {
-
-std::string read_all(const std::string& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 std::optional<std::int64_t> to_number(std::string_view text) {
   const auto start = text.find_first_not_of(" \t");
@@ -91,10 +87,10 @@ std::optional<std::int64_t> control_group_room(const std::string& folder) {
       Version{"/memory.max", "/memory.current", "inactive_file"},
       Version{"/memory.limit_in_bytes", "/memory.usage_in_bytes", "total_inactive_file"}};
   for (const Version& version : versions) {
-    const auto limit = to_number(read_all(folder + version.limit));
-    const auto use = to_number(read_all(folder + version.use));
+    const auto limit = to_number(read_text(folder + version.limit));
+    const auto use = to_number(read_text(folder + version.use));
     if (limit && use && *limit < unlimited) {
-      const auto cache = statistic(read_all(folder + "/memory.stat"), version.reclaimable);
+      const auto cache = statistic(read_text(folder + "/memory.stat"), version.reclaimable);
       return std::max<std::int64_t>(0, *limit - *use + cache);
     }
   }
@@ -102,12 +98,12 @@ std::optional<std::int64_t> control_group_room(const std::string& folder) {
 }
 
 std::int64_t peak_memory() {
-  return read_kilobytes(read_all("/proc/self/status"), "VmHWM").value_or(0);
+  return read_kilobytes(read_text("/proc/self/status"), "VmHWM").value_or(0);
 }
 
 std::int64_t available_memory() {
   std::int64_t least = std::numeric_limits<std::int64_t>::max();
-  for (const auto& room : {read_kilobytes(read_all("/proc/meminfo"), "MemAvailable"),
+  for (const auto& room : {read_kilobytes(read_text("/proc/meminfo"), "MemAvailable"),
                            tightest_room("/sys/fs/cgroup", own_group("0::")),
                            tightest_room("/sys/fs/cgroup/memory", own_group(":memory:"))}) {
     least = std::min(least, room.value_or(least));

@@ -59,7 +59,9 @@ int code_of(int status) {
 }
 
 /// In the child: nothing here may take memory, since other threads of the parent may have held locks.
-[[noreturn]] void become(char* const* words, char* const* environment, int console, pid_t parent) {
+[[noreturn]] void become(char* const* words, char* const* environment, int console,
+                         const char* folder, pid_t parent) {
+  constexpr int not_started = 127;
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (getppid() != parent) {
@@ -71,14 +73,16 @@ int code_of(int status) {
   dup2(nothing, STDIN_FILENO);
   dup2(console, STDOUT_FILENO);
   dup2(console, STDERR_FILENO);
-  execvpe(words[0], words, environment);
-  constexpr int not_found = 127;
-  _exit(not_found);
+  if (*folder == '\0' || chdir(folder) == 0) {
+    execvpe(words[0], words, environment);
+  }
+  _exit(not_started);
 }
 
 }  // namespace
 
-pid_t start_process(const std::vector<std::string>& words, const std::string& console) {
+pid_t start_process(const std::vector<std::string>& words, const std::string& console,
+                    const std::string& folder) {
   std::vector<std::string> arguments = words;
   std::vector<std::string> variables = clean_environment();
   const std::vector<char*> argv = pointers(arguments);
@@ -91,7 +95,7 @@ pid_t start_process(const std::vector<std::string>& words, const std::string& co
   const pid_t parent = getpid();
   const pid_t child = fork();
   if (child == 0) {
-    become(argv.data(), envp.data(), out, parent);
+    become(argv.data(), envp.data(), out, folder.c_str(), parent);
   }
   const int error = errno;
   close(out);

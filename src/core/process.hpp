@@ -14,10 +14,10 @@ namespace porefines {
 ///
 /// Its environment is ours without what mpirun or MPI_Init put there, so that it may start MPI itself.
 /// Should we die, even by SIGKILL, it is sent SIGTERM: porefines then saves a checkpoint and ends.
-/// Descriptors without O_CLOEXEC stay open in it.
+/// Descriptors without O_CLOEXEC stay open in it. It works in `folder`; empty: in ours.
 /// @throws RunError  no process can be made. A program that cannot be started ends with code 127.
-[[nodiscard]] pid_t start_process(const std::vector<std::string>& words,
-                                  const std::string& console);
+[[nodiscard]] pid_t start_process(const std::vector<std::string>& words, const std::string& console,
+                                  const std::string& folder = "");
 
 /// Its exit code (128 + n after signal n), or nothing as long as it runs.
 [[nodiscard]] std::optional<int> exit_of(pid_t process);

@@ -23,6 +23,7 @@ struct DemCase {
   const config::Case& the_case;
   Vec3 size;
   bool grains = false;
+  std::vector<std::vector<dem::Body>> lists = {};  ///< of each species; empty: none
 };
 
 std::array<bool, 3> periodic_axes(const config::Case& c) {
@@ -30,24 +31,25 @@ std::array<bool, 3> periodic_axes(const config::Case& c) {
 }
 
 /// Smallest and largest diameter [m] of a species: of its list, if it has one.
-std::array<Real, 2> diameters_of(const config::Particles& p) {
-  if (p.source.empty()) {
-    return {p.diameter.smallest > 0 ? p.diameter.smallest : p.diameter.mean,
-            std::max(p.diameter.mean, p.diameter.largest)};
+std::array<Real, 2> diameters_of(const DemCase& dem, std::size_t species) {
+  const config::Sizes& sizes = dem.the_case.particles[species].diameter;
+  if (dem.lists[species].empty()) {
+    return {sizes.smallest > 0 ? sizes.smallest : sizes.mean, std::max(sizes.mean, sizes.largest)};
   }
   std::array<Real, 2> range{INFINITY, 0};
-  for (const auto& body : sim::read_spheres(p.source, p.diameter.mean)) {
+  for (const dem::Body& body : dem.lists[species]) {
     range = {std::min(range[0], 2 * body.radius), std::max(range[1], 2 * body.radius)};
   }
   return range;
 }
 
 /// Rayleigh's criterion over all species; pi r sqrt(rho/G) / (0.1631 nu + 0.8766).
-Real time_step(const config::Case& c) {
+Real time_step(const DemCase& dem) {
   Real least = INFINITY;
-  for (const config::Particles& p : c.particles) {
+  for (std::size_t k = 0; k < dem.the_case.particles.size(); ++k) {
+    const config::Particles& p = dem.the_case.particles[k];
     const Real shear = p.young / (2 * (1 + p.poisson));
-    least = std::min(least, std::numbers::pi * diameters_of(p)[0] / 2 *
+    least = std::min(least, std::numbers::pi * diameters_of(dem, k)[0] / 2 *
                                 std::sqrt(p.density / shear) / (0.1631 * p.poisson + 0.8766));
   }
   return step_share * least;
@@ -118,17 +120,15 @@ std::string particles(const DemCase& dem) {
   for (std::size_t k = 0; k < dem.the_case.particles.size(); ++k) {
     const config::Particles& p = dem.the_case.particles[k];
     const std::size_t type = k + 1;
-    if (!p.source.empty()) {
-      for (const auto& body : sim::read_spheres(p.source, p.diameter.mean)) {
-        ++atom;
-        text += fmt::format(
-            "create_atoms {0} single {1:.12g} {2:.12g} {3:.12g} units box\n"
-            "set atom {4} diameter {5:.12g} density {6:.9g} vx {7:.9g} vy "
-            "{8:.9g} vz {9:.9g}\n",
-            type, body.position.x, body.position.y, body.position.z, atom, 2 * body.radius,
-            p.density, body.velocity.x + p.velocity[0], body.velocity.y + p.velocity[1],
-            body.velocity.z + p.velocity[2]);
-      }
+    for (const dem::Body& body : dem.lists[k]) {
+      ++atom;
+      text += fmt::format(
+          "create_atoms {0} single {1:.12g} {2:.12g} {3:.12g} units box\n"
+          "set atom {4} diameter {5:.12g} density {6:.9g} vx {7:.9g} vy "
+          "{8:.9g} vz {9:.9g}\n",
+          type, body.position.x, body.position.y, body.position.z, atom, 2 * body.radius, p.density,
+          body.velocity.x + p.velocity[0], body.velocity.y + p.velocity[1],
+          body.velocity.z + p.velocity[2]);
     }
     if (p.count > 0 || p.fill > 0) {
       const config::Region all{{0, 0, 0}, {dem.size.x, dem.size.y, dem.size.z}};
@@ -160,8 +160,8 @@ std::string head(const DemCase& dem) {
   const config::Case& c = dem.the_case;
   const auto periodic = periodic_axes(c);
   Real largest = 0;
-  for (const config::Particles& p : c.particles) {
-    largest = std::max(largest, diameters_of(p)[1]);
+  for (std::size_t k = 0; k < c.particles.size(); ++k) {
+    largest = std::max(largest, diameters_of(dem, k)[1]);
   }
   std::string text = fmt::format(
       "# {} for LIGGGHTS: liggghts -in in.porefines\n"
@@ -177,10 +177,11 @@ std::string head(const DemCase& dem) {
   return text;
 }
 
-std::string tail(const config::Case& c) {
+std::string tail(const DemCase& dem) {
+  const config::Case& c = dem.the_case;
   const Vec3 g{c.gravity[0], c.gravity[1], c.gravity[2]};
   const Real strength = std::sqrt(dot(g, g));
-  const Real step = time_step(c);
+  const Real step = time_step(dem);
   std::string text;
   if (strength > 0) {
     text += fmt::format("fix g all gravity {:.9g} vector {:.9g} {:.9g} {:.9g}\n", strength,
@@ -217,7 +218,11 @@ void export_liggghts(const config::Case& the_case, const std::string& folder) {
   const geom::Sample sample =
       geom::build_sample(sim::geometry_spec(the_case), par::Communicator::self().handle());
   const auto triangles = grain_triangles(the_case, sample, 0.1 * sample.box.size.z);
-  const DemCase dem{the_case, sample.box.size, !triangles.empty()};
+  DemCase dem{the_case, sample.box.size, !triangles.empty()};
+  for (const config::Particles& p : the_case.particles) {
+    dem.lists.push_back(p.source.empty() ? std::vector<dem::Body>{}
+                                         : sim::read_spheres(p.source, p.diameter.mean));
+  }
   make_folder(folder);
   if (dem.grains) {
     write_text_stl(folder + "/grains.stl", triangles);
@@ -225,7 +230,7 @@ void export_liggghts(const config::Case& the_case, const std::string& folder) {
   write_file(folder + "/in.porefines", head(dem) + materials(the_case) +
                                            "pair_style gran model hertz tangential history\n"
                                            "pair_coeff * *\n" +
-                                           walls(dem) + particles(dem) + tail(the_case));
+                                           walls(dem) + particles(dem) + tail(dem));
 }
 
 }  // namespace porefines::interop

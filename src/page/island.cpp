@@ -3,12 +3,12 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 
 #include "config/reader.hpp"
 #include "core/error.hpp"
 #include "core/json.hpp"
+#include "core/read_text.hpp"
 #include "io/provenance.hpp"
 #include "page/geometry.hpp"
 #include "page/maps.hpp"
@@ -24,14 +24,6 @@ namespace {
 constexpr std::size_t series_rows = 2000;
 constexpr std::size_t log_bytes = 20'000;
 constexpr int picture_pixels = 1000;
-
-/// "" when it is not there.
-std::string text_of(const std::string& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 std::string kind_of(const config::Case& the_case) {
   return config::is_dry(the_case)        ? "dry"
@@ -52,38 +44,32 @@ std::string warnings_in(const std::string& log) {
 }
 
 std::string columns_or_null(const std::string& path, std::size_t most) {
-  const auto table = read_table(path);
-  return table && !table->rows.empty() ? columns_json(*table, most) : "null";
+  const io::TextTable table = io::read_table(path);
+  return table.rows.empty() ? "null" : columns_json(table, most);
 }
 
 /// The last profile of retention.csv.
 std::string last_profile(const std::string& path) {
-  auto table = read_table(path);
-  const int time = table ? table->column("time_s") : -1;
-  if (time < 0) {
-    return "null";
-  }
-  const auto last = table->rows.back()[static_cast<std::size_t>(time)];
-  std::erase_if(table->rows,
-                [&](const auto& row) { return row[static_cast<std::size_t>(time)] != last; });
-  return columns_json(*table, table->rows.size());
+  io::TextTable table = io::read_table(path);
+  table.keep_last("time_s");
+  return table.rows.empty() ? "null" : columns_json(table, table.rows.size());
 }
 
 /// Rows of clogging.csv as they are: numbers as numbers, words as text.
 std::string events(const std::string& path) {
-  const auto table = read_table(path);
-  if (!table) {
+  const io::TextTable table = io::read_table(path);
+  if (table.names.empty()) {
     return "null";
   }
   std::vector<std::string> rows;
-  for (const auto& row : table->rows) {
+  for (const auto& row : table.rows) {
     Json json;
     for (std::size_t c = 0; c < row.size(); ++c) {
-      const Real value = number_of(row[c]);
-      if (std::isnan(value) || table->names[c] == "ids") {
-        json.set(table->names[c], row[c]);
+      const Real value = io::number_of(row[c]);
+      if (std::isnan(value) || table.names[c] == "ids") {
+        json.set(table.names[c], row[c]);
       } else {
-        json.set(table->names[c], value);
+        json.set(table.names[c], value);
       }
     }
     rows.push_back(json.text());
@@ -108,7 +94,7 @@ std::string pictures(const std::string& folder) {
 /// agreement.json beside the run, or in a folder of porefines compare below it.
 std::string agreement(const std::string& folder) {
   for (const std::string place : {"", "/compare", "/compared"}) {
-    std::string text = text_of(folder + place + "/agreement.json");
+    std::string text = read_text(folder + place + "/agreement.json");
     if (!text.empty()) {
       return text;
     }
@@ -134,14 +120,14 @@ config::Case case_of(const std::string& folder) {
           " is missing\ngive the folder that `porefines run CASE.toml -o FOLDER` wrote");
     }
   }
-  return config::parse_case(text_of(path), path);
+  return config::parse_case(read_text(path), path);
 }
 
 }  // namespace
 
 std::string run_island(const std::string& folder) {
   const config::Case the_case = case_of(folder);
-  const std::string log = text_of(folder + "/log.txt");
+  const std::string log = read_text(folder + "/log.txt");
   const std::string maps = maps_json(folder);
   const io::Provenance made = io::make_provenance(1, 0);
   Json json;
@@ -152,8 +138,8 @@ std::string run_island(const std::string& folder) {
   json.set("flow_axis", sim::flow_axis(the_case.flow));
   json.set("reference", the_case.run.reference);
   json.set("source", std::filesystem::path(the_case.geometry.source).filename().string());
-  json.set_json("summary", text_of(folder + "/summary.json"));
-  json.set("case", text_of(folder + "/case.toml"));
+  json.set_json("summary", read_text(folder + "/summary.json"));
+  json.set("case", read_text(folder + "/case.toml"));
   json.set("log", log.substr(0, log_bytes));
   json.set_json("warnings", warnings_in(log));
   add_geometry(json, the_case);

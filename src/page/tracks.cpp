@@ -5,11 +5,13 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "core/json.hpp"
+#include "io/read_table.hpp"
 #include "page/pack.hpp"
-#include "page/table.hpp"
 
 namespace porefines::page {
 namespace {
@@ -37,8 +39,7 @@ struct Columns {
   int diameter = -1;
   int state = -1;
 
-  explicit Columns(const std::vector<std::string>& names) {
-    const Table head{names, {}};
+  explicit Columns(const io::TextTable& head) {
     x = {head.column("x_m"), head.column("y_m"), head.column("z_m")};
     u = {head.column("u_m_s"), head.column("v_m_s"), head.column("w_m_s")};
     force = {head.column("fx_n"), head.column("fy_n"), head.column("fz_n")};
@@ -48,7 +49,7 @@ struct Columns {
     state = head.column("state");
   }
   [[nodiscard]] static Real at(const Row& row, int column) {
-    return column < 0 ? 0 : number_of(row[static_cast<std::size_t>(column)]);
+    return column < 0 ? 0 : io::number_of(row[static_cast<std::size_t>(column)]);
   }
   [[nodiscard]] static Real length(const Row& row, const std::array<int, 3>& columns) {
     return std::hypot(at(row, columns[0]), at(row, columns[1]), at(row, columns[2]));
@@ -59,9 +60,9 @@ Survey survey(const std::string& path) {
   Survey out;
   std::vector<Index> with_force;
   std::optional<Columns> columns;
-  for_rows(path, [&](const auto& names, const Row& row) {
+  io::for_rows(path, [&](const io::TextTable& head, const Row& row) {
     if (!columns) {
-      columns.emplace(names);
+      columns.emplace(head);
     }
     const Real time = Columns::at(row, columns->time);
     if (out.times.empty() || time > out.times.back()) {
@@ -135,9 +136,9 @@ Frames collect(const std::string& path, const Survey& seen, std::size_t step) {
   Frames frames;
   std::optional<Columns> columns;
   std::size_t time_place = 0;
-  for_rows(path, [&](const auto& names, const Row& row) {
+  io::for_rows(path, [&](const io::TextTable& head, const Row& row) {
     if (!columns) {
-      columns.emplace(names);
+      columns.emplace(head);
     }
     const Real time = Columns::at(row, columns->time);
     while (seen.times[time_place] < time) {

@@ -9,7 +9,6 @@
 #include "core/error.hpp"
 #include "core/json_read.hpp"
 #include "core/process.hpp"
-#include "core/signals.hpp"
 
 namespace porefines::scale {
 namespace {
@@ -39,9 +38,6 @@ Measured measure(const std::string& case_file, const std::vector<std::string>& o
     const std::string console = folder + "/console.txt";
     std::filesystem::remove(console);
     const int code = wait_for(start_process(on_ranks(ranks, words), console));
-    if (caught_signal() != 0) {
-      throw Interrupted{caught_signal()};
-    }
     const auto summary = read_flat_json(folder + "/summary.json");
     if (code != exit_code::done || !summary) {
       throw InputError(fmt::format("{} on {} ranks ends with code {}\n{}", case_file, ranks, code,

@@ -17,16 +17,6 @@
 namespace porefines::sim {
 namespace {
 
-Vec3 vec(const config::Triple& t) {
-  return {t[0], t[1], t[2]};
-}
-
-/// [N] weight less buoyancy, and the force of the case.
-Vec3 outer_force(const config::Case& the_case, const config::Particles& species, Real radius) {
-  const Real excess = (species.density - the_case.fluid.density) * dem::sphere_volume(radius);
-  return excess * vec(the_case.gravity) + vec(species.force);
-}
-
 /// [m/s] of the fastest particle to come: as given, or as it settles by itself, by viscosity or by
 /// inertia with a drag coefficient of 0.4.
 Real particle_speed(const config::Case& the_case) {

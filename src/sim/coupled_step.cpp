@@ -23,12 +23,9 @@ constexpr Real approach_share = 0.25;
 /// mean contact force of the last step, F* of algorithm.md section 5.
 std::vector<flow::Sphere> spheres_of(CoupledRun& run) {
   dem::Particles& p = run.particles.system.particles();
-  const Vec3 g{run.the_case.gravity[0], run.the_case.gravity[1], run.the_case.gravity[2]};
   const Vec3 corner = run.domain.origin();
   std::vector<flow::Sphere> spheres;
   for (std::size_t i = 0; i < p.owned; ++i) {
-    const Real volume = dem::sphere_volume(p.radius[i]);
-    const config::Triple& f = run.the_case.particles[p.species[i]].force;
     dem::Creeping& c = p.creeping;
     c.told_force[i] = c.mean_force[i];
     c.told_torque[i] = c.mean_torque[i];
@@ -39,7 +36,7 @@ std::vector<flow::Sphere> spheres_of(CoupledRun& run) {
     q.held = p.is_fixed(i);
     q.velocity = q.held ? Vec3{} : c.free_velocity[i];
     q.spin = q.held ? Vec3{} : c.free_spin[i];
-    q.force = (p.mass[i] - run.the_case.fluid.density * volume) * g + Vec3{f[0], f[1], f[2]} +
+    q.force = outer_force(run.the_case, run.the_case.particles[p.species[i]], p.radius[i]) +
               c.mean_force[i];
     q.torque = c.mean_torque[i];
     spheres.push_back(q);

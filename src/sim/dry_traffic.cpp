@@ -8,6 +8,7 @@
 #include "dem/packing.hpp"
 #include "io/agree.hpp"
 #include "sim/dry_state.hpp"
+#include "sim/particle_setup.hpp"
 #include "sim/tracks.hpp"
 
 namespace porefines::sim {
@@ -20,7 +21,7 @@ Real energy_of(const DryRun& run, const dem::Body& body) {
   return 0.5 * mass * dot(body.velocity, body.velocity) +
          0.2 * mass * body.radius * body.radius *
              dot(body.angular_velocity, body.angular_velocity) -
-         dot(mass * run.system.settings().gravity + Vec3{f[0], f[1], f[2]}, body.position);
+         dot(mass * run.system.settings().gravity + vec(f), body.position);
 }
 
 }  // namespace
@@ -30,7 +31,7 @@ void set_forces(DryRun& run) {
   dem::Particles& p = run.system.particles();
   for (std::size_t i = 0; i < p.owned; ++i) {
     const config::Triple& f = run.the_case.particles[p.species[i]].force;
-    p.external_force[i] = run.in_fluid ? Vec3{} : Vec3{f[0], f[1], f[2]};
+    p.external_force[i] = run.in_fluid ? Vec3{} : vec(f);
   }
 }
 

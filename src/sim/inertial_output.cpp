@@ -2,13 +2,12 @@
 #include "sim/inertial_output.hpp"
 
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include <fmt/format.h>
 
 #include "analysis/flux.hpp"
 #include "analysis/shedding.hpp"
+#include "io/read_table.hpp"
 #include "sim/prepare.hpp"
 #include "sim/results.hpp"
 #include "sim/steady_flow.hpp"
@@ -73,35 +72,6 @@ std::vector<Real> series_values(InertialRun& run) {
   const std::vector<Real> probed = probe_values(run);
   row.insert(row.end(), probed.begin(), probed.end());
   return row;
-}
-
-/// The columns of series.csv on disk, by name. One rank.
-struct Table {
-  std::vector<std::string> names;
-  std::vector<std::vector<Real>> columns;
-  [[nodiscard]] const std::vector<Real>& column(const std::string& name) const {
-    const auto found = std::find(names.begin(), names.end(), name);
-    return columns.at(static_cast<std::size_t>(found - names.begin()));
-  }
-};
-
-Table read_table(const std::string& path) {
-  Table table;
-  std::ifstream file(path);
-  for (std::string line; std::getline(file, line);) {
-    std::istringstream words(line);
-    std::size_t c = 0;
-    const bool header = table.names.empty();
-    for (std::string word; std::getline(words, word, ','); ++c) {
-      if (header) {
-        table.names.push_back(word);
-        table.columns.emplace_back();
-      } else if (c < table.columns.size()) {
-        table.columns[c].push_back(std::strtod(word.c_str(), nullptr));
-      }
-    }
-  }
-  return table;
 }
 
 /// [m] from the rear of the only body to where the stream behind it, on the body's axis, turns with
@@ -226,9 +196,9 @@ void add_inertial(Json& json, InertialRun& run, const std::string& folder) {
   }
   const std::vector<Vec3> forces = run.forces->sum(run.drive);
   const bool steady = run.the_case.inertia.steady;
-  Table table;
+  io::TextTable table;
   if (run.comm.is_root() && !steady) {
-    table = read_table(folder + "/series.csv");
+    table = io::read_table(folder + "/series.csv");
   }
   for (int body = 0; body < run.bodies; ++body) {
     const std::string prefix = fmt::format("body_{}_", body + 1);
@@ -240,9 +210,9 @@ void add_inertial(Json& json, InertialRun& run, const std::string& folder) {
     json.set(prefix + "drag_coefficient", c.drag);
     json.set(prefix + "lift_coefficient", c.lift);
     if (run.comm.is_root() && !steady && std::isfinite(c.drag)) {
-      const analysis::Shedding shed =
-          analysis::find_shedding(table.column("time_s"), table.column(prefix + "drag_coefficient"),
-                                  table.column(prefix + "lift_coefficient"));
+      const analysis::Shedding shed = analysis::find_shedding(
+          table.numbers("time_s"), table.numbers(prefix + "drag_coefficient"),
+          table.numbers(prefix + "lift_coefficient"));
       const Real diameter = 2 * run.sample.bodies[static_cast<std::size_t>(body)].radius;
       json.set(prefix + "mean_drag_coefficient", shed.drag);
       json.set(prefix + "lift_amplitude", shed.lift);

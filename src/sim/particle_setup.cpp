@@ -8,14 +8,11 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "dem/packing.hpp"
 #include "sim/particle_walls.hpp"
 
 namespace porefines::sim {
 namespace {
-
-Vec3 vec(const config::Triple& t) {
-  return {t[0], t[1], t[2]};
-}
 
 Real mean_mass(const config::Particles& species) {
   return species.density * dem::mean_volume(dem_sizes(species.diameter));
@@ -64,6 +61,11 @@ Real injected_volume(const config::Case& the_case, const config::Injection& inje
   }
   const Real fluid = the_case.fluid.density;
   return flow * (c / density) / (c / density + (1 - c) / fluid);
+}
+
+Vec3 outer_force(const config::Case& the_case, const config::Particles& species, Real radius) {
+  const Real excess = (species.density - the_case.fluid.density) * dem::sphere_volume(radius);
+  return excess * vec(the_case.gravity) + vec(species.force);
 }
 
 dem::Sizes dem_sizes(const config::Sizes& sizes) {

@@ -10,6 +10,14 @@
 
 namespace porefines::sim {
 
+[[nodiscard]] inline Vec3 vec(const config::Triple& t) {
+  return {t[0], t[1], t[2]};
+}
+
+/// [N] on a particle of this radius in the fluid: weight less buoyancy, and the force of the case.
+[[nodiscard]] Vec3 outer_force(const config::Case& the_case, const config::Particles& species,
+                               Real radius);
+
 [[nodiscard]] dem::Sizes dem_sizes(const config::Sizes& sizes);
 
 /// Species in the order of the case, then walls with friction, then smooth walls.

@@ -9,10 +9,6 @@
 namespace porefines::sim {
 namespace {
 
-Vec3 vec(const config::Triple& t) {
-  return {t[0], t[1], t[2]};
-}
-
 /// Planes, cylinders and balls of [[surface]].
 dem::Primitives primitives_of(const config::Case& the_case) {
   dem::Primitives walls;

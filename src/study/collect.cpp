@@ -70,18 +70,12 @@ Real read_one(const Tables& tables, const std::string& reading) {
   return reduce(tables.series.numbers(parts[1]), parts[2]);
 }
 
-/// The rows of the last sample of a profile; all rows of a series.
-bool counts(const std::vector<Real>& times, std::size_t row, const CurveKind& kind) {
-  return std::string_view(kind.table) == "series.csv" || times[row] == times.back();
-}
-
 analysis::Sampled curve_of(const io::TextTable& table, const CurveKind& kind, bool holds) {
   analysis::Sampled curve{{}, {}, holds};
-  const std::vector<Real> times = table.numbers("time_s");
   const std::vector<Real> at = table.numbers(kind.x);
   const std::vector<Real> value = table.numbers(kind.y);
   for (std::size_t i = 0; i < at.size(); ++i) {
-    if (std::isfinite(at[i]) && std::isfinite(value[i]) && counts(times, i, kind) &&
+    if (std::isfinite(at[i]) && std::isfinite(value[i]) &&
         (curve.x.empty() || at[i] > curve.x.back())) {
       curve.x.push_back(at[i]);
       curve.y.push_back(value[i]);
@@ -129,9 +123,10 @@ std::optional<Result> collect(const std::string& folder, const std::vector<std::
   if (!is_done(folder)) {
     return {};
   }
-  const Tables tables{
-      *read_flat_json(folder + "/summary.json"), io::read_table(folder + "/series.csv"),
-      io::read_table(folder + "/clogging.csv"), io::read_table(folder + "/retention.csv")};
+  Tables tables{*read_flat_json(folder + "/summary.json"), io::read_table(folder + "/series.csv"),
+                io::read_table(folder + "/clogging.csv"),
+                io::read_table(folder + "/retention.csv")};
+  tables.retention.keep_last("time_s");
   Result result;
   for (const std::string& reading : readings) {
     result.readings.push_back(read_one(tables, reading));

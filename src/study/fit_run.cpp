@@ -40,18 +40,15 @@ void read_series(const std::string& path, RunBed& run) {
 }
 
 void read_profile(const std::string& path, RunBed& run) {
-  const io::TextTable table = io::read_table(path);
+  io::TextTable table = io::read_table(path);
   io::require_columns(table, path,
                       {"time_s", "pore_volumes", "x_m", "retained_fraction", "porosity_clean"});
-  const std::vector<Real> times = table.numbers("time_s");
-  const std::vector<Real> x = table.numbers("x_m");
+  table.keep_last("time_s");
   const std::vector<Real> retained = table.numbers("retained_fraction");
   const std::vector<Real> porosity = table.numbers("porosity_clean");
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    if (times[i] == times.back()) {
-      run.data.x.push_back(x[i]);
-      run.data.s.push_back(retained[i] * porosity[i]);
-    }
+  run.data.x = table.numbers("x_m");
+  for (std::size_t i = 0; i < retained.size(); ++i) {
+    run.data.s.push_back(retained[i] * porosity[i]);
   }
   run.data.profile_at = table.numbers("pore_volumes").back();
 }

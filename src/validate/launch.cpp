@@ -2,44 +2,22 @@
 #include "validate/launch.hpp"
 
 #include <atomic>
-#include <cstring>
 #include <filesystem>
 #include <mutex>
 #include <system_error>
 #include <thread>
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
-#include "validate/read_result.hpp"
+#include "core/process.hpp"
+#include "core/read_text.hpp"
 
 namespace porefines::validate {
 namespace {
 
-std::vector<char*> pointers(std::vector<std::string>& words) {
-  std::vector<char*> out;
-  for (std::string& word : words) {
-    out.push_back(word.data());
-  }
-  out.push_back(nullptr);
-  return out;
-}
-
-/// What this program inherited, without what MPI put there.
-std::vector<std::string> plain_environment() {
-  std::vector<std::string> out;
-  for (char** entry = environ; *entry != nullptr; ++entry) {
-    if (std::strncmp(*entry, "OMPI_", 5) != 0 && std::strncmp(*entry, "PMIX_", 5) != 0) {
-      out.emplace_back(*entry);
-    }
-  }
-  out.emplace_back("OMPI_ALLOW_RUN_AS_ROOT=1");
-  out.emplace_back("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1");
-  return out;
+/// Runs this program in a folder; what it prints goes to FOLDER/said.txt. @return its exit code
+int run_self(const std::string& folder, const std::vector<std::string>& words) {
+  return wait_for(start_process(on_ranks(1, words), folder + "/said.txt", folder));
 }
 
 /// "copy" FROM TO, or words for this program.
@@ -81,32 +59,9 @@ void run_job(Launch& launch, const std::string& commit) {
 
 }  // namespace
 
-int run_self(const std::string& folder, const std::vector<std::string>& words) {
-  std::vector<std::string> command{std::filesystem::read_symlink("/proc/self/exe").string()};
-  command.insert(command.end(), words.begin(), words.end());
-  std::vector<std::string> environment = plain_environment();
-  posix_spawn_file_actions_t actions{};
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "said.txt",
-                                   O_WRONLY | O_CREAT | O_APPEND, 0644);
-  posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-  pid_t child = 0;
-  const int failed = posix_spawn(&child, command[0].c_str(), &actions, nullptr,
-                                 pointers(command).data(), pointers(environment).data());
-  posix_spawn_file_actions_destroy(&actions);
-  if (failed != 0) {
-    throw RunError("cannot start " + command[0] + " in " + folder + ": " +
-                   std::generic_category().message(failed));
-  }
-  int status = 0;
-  waitpid(child, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-}
-
 bool is_done(const std::string& folder, const std::string& commit) {
   const bool known = commit.find("dirty") == std::string::npos && commit != "unknown";
-  return known && read_whole(folder + "/done.txt") == commit;
+  return known && read_text(folder + "/done.txt") == commit;
 }
 
 void run_jobs(std::vector<Launch>& launches, unsigned at_once, const std::string& commit,

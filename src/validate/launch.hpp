@@ -16,10 +16,6 @@ struct Launch {
   int exit_code = 0;
 };
 
-/// Runs this program in a folder; what it prints goes to FOLDER/said.txt. Returns its exit code.
-/// The child is no part of this program's MPI job.
-[[nodiscard]] int run_self(const std::string& folder, const std::vector<std::string>& words);
-
 /// Did this commit finish the job already? Never for a tree that was changed.
 [[nodiscard]] bool is_done(const std::string& folder, const std::string& commit);
 

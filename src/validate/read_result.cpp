@@ -1,31 +1,28 @@
 // SPDX-License-Identifier: MPL-2.0
 #include "validate/read_result.hpp"
 
-#include <charconv>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
-#include "page/table.hpp"
+#include "core/json_read.hpp"
+#include "io/read_table.hpp"
 
 namespace porefines::validate {
 namespace {
 
 Reading read(const FromSummary& source, const Row& row, const std::vector<std::string>& folders) {
-  const Real number = number_in(read_whole(folders[row.job] + "/" + source.file), source.key);
+  const Real number = number_in(folders[row.job] + "/" + source.file, source.key);
   return {.value = source.offset + source.factor * number};
 }
 
 Reading read(const FromTracks& source, const Row& row, const std::vector<std::string>& folders) {
   Real first = NAN;
   Real last = NAN;
-  page::for_rows(folders[row.job] + "/out/tracks.csv", [&](const auto& names, const auto& words) {
-    const page::Table head{names, {}};
+  io::for_rows(folders[row.job] + "/out/tracks.csv", [&](const auto& head, const auto& words) {
     const int id = head.column("id");
     const int column = head.column(source.column);
     if (id >= 0 && column >= 0 &&
-        page::number_of(words[static_cast<std::size_t>(id)]) == static_cast<Real>(source.id)) {
-      last = page::number_of(words[static_cast<std::size_t>(column)]);
+        io::number_of(words[static_cast<std::size_t>(id)]) == static_cast<Real>(source.id)) {
+      last = io::number_of(words[static_cast<std::size_t>(column)]);
       first = std::isnan(first) ? last : first;
     }
   });
@@ -42,7 +39,7 @@ Reading read(const FromTracks& source, const Row& row, const std::vector<std::st
 
 Reading read(const Extrapolated& source, const Row& row, const std::vector<std::string>& folders) {
   const auto value = [&](std::size_t k) {
-    return number_in(read_whole(folders[row.job + k] + "/out/summary.json"), source.key);
+    return number_in(folders[row.job + k] + "/out/summary.json", source.key);
   };
   const std::size_t finest = source.cells.size() - 1;
   const Real h2 = source.cells[finest - 1] * source.cells[finest - 1];
@@ -53,22 +50,9 @@ Reading read(const Extrapolated& source, const Row& row, const std::vector<std::
 
 }  // namespace
 
-std::string read_whole(const std::string& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-Real number_in(std::string_view json, std::string_view key) {
-  const std::string wanted = '"' + std::string(key) + "\": ";
-  const std::size_t at = json.find(wanted);
-  Real value = NAN;
-  if (at != std::string_view::npos) {
-    const std::string_view rest = json.substr(at + wanted.size());
-    std::from_chars(rest.data(), rest.data() + rest.size(), value);
-  }
-  return value;
+Real number_in(const std::string& path, const std::string& key) {
+  const auto json = read_flat_json(path);
+  return json ? json->number(key) : NAN;
 }
 
 Reading read_row(const Row& row, const std::vector<std::string>& folders) {

@@ -2,18 +2,14 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "validate/comparison.hpp"
 
 namespace porefines::validate {
 
-/// A file as text; "" when it is not there.
-[[nodiscard]] std::string read_whole(const std::string& path);
-
-/// A number of a flat JSON text as porefines writes it; NaN: none.
-[[nodiscard]] Real number_in(std::string_view json, std::string_view key);
+/// A number of a flat JSON file as porefines writes it; NaN: none.
+[[nodiscard]] Real number_in(const std::string& path, const std::string& key);
 
 /// The number that a row asks for.
 struct Reading {

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <iostream>
-#include <thread>
 
 #include <fmt/format.h>
 
 #include "core/atomic_file.hpp"
+#include "core/cores.hpp"
 #include "core/error.hpp"
 #include "core/json.hpp"
 #include "core/suggest.hpp"
@@ -75,7 +75,7 @@ std::string comparison_json(const ValidateOptions& options, const Comparison& co
   Real seconds = 0;
   for (const Job& job : comparison.jobs) {
     folders.push_back(folder_of(options, comparison, job));
-    const Real took = number_in(read_whole(folders.back() + "/out/summary.json"), "wall_time_s");
+    const Real took = number_in(folders.back() + "/out/summary.json", "wall_time_s");
     seconds += took > 0 ? took : 0;
   }
   std::vector<std::string> rows;
@@ -121,8 +121,8 @@ int run_validation(const ValidateOptions& options) {
       launches.push_back({&job, folder_of(options, comparison, job)});
     }
   }
-  const unsigned processors = std::max(1U, std::thread::hardware_concurrency());
-  run_jobs(launches, options.at_once > 0 ? options.at_once : processors, made.commit, tell);
+  const auto cores = static_cast<unsigned>(find_cores().physical);
+  run_jobs(launches, options.at_once > 0 ? options.at_once : cores, made.commit, tell);
 
   std::size_t red = 0;
   std::vector<std::string> comparisons;

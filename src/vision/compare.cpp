@@ -4,9 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <regex>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
@@ -14,6 +11,7 @@
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
 #include "core/json.hpp"
+#include "core/json_read.hpp"
 #include "report/draw_chart.hpp"
 #include "vision/draw_tracks.hpp"
 #include "vision/flow_field.hpp"
@@ -38,25 +36,21 @@ struct Side {
   std::vector<cv::Point2d> retained;
 };
 
-Real number_in(const std::string& json, const std::string& key, const std::string& path) {
-  std::smatch match;
-  if (!std::regex_search(json, match, std::regex("\"" + key + "\": ([-+0-9.e]+)"))) {
-    throw InputError(fmt::format("{}: has no {}; is it of porefines track?", path, key));
-  }
-  return std::stod(match[1]);
-}
-
 View read_view(const std::string& folder) {
   const std::string path = folder + "/summary.json";
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file) {
+  const auto summary = read_flat_json(path);
+  if (!summary) {
     throw InputError(path + ": no such summary; give the output folder of porefines track");
   }
-  return {static_cast<int>(number_in(text.str(), "width_pixels", path)),
-          static_cast<int>(number_in(text.str(), "height_pixels", path)),
-          number_in(text.str(), "pixel_size_m", path)};
+  const auto number = [&](const std::string& key) {
+    const Real value = summary->number(key);
+    if (!std::isfinite(value)) {
+      throw InputError(fmt::format("{}: has no {}; is it of porefines track?", path, key));
+    }
+    return value;
+  };
+  return {static_cast<int>(number("width_pixels")), static_cast<int>(number("height_pixels")),
+          number("pixel_size_m")};
 }
 
 /// The same particle rests in one place however many rows say so.

@@ -23,46 +23,14 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "python"))
 import porefines  # noqa: E402
 
-CASE = """title = "A sieved fine"
-[run]
-end_time = "60 ms"
-[geometry]
-kind = "cylinders"
-source = "pillars.txt"
-size = ["40 um", "24 um", "12 um"]
-list_unit = "1 um"
-periodic_images = false
-[grid]
-cell_size = "1.3333333333333333 um"
-[fluid]
-viscosity = "1 mPa s"
-[flow]
-inlet = { face = "x-", pressure = "10 Pa" }
-outlet = { face = "x+", pressure = "0 Pa" }
-walls = ["z-", "z+"]
-slip = ["y-", "y+"]
-[clogging]
-hold_time = "10 ms"
-[[particles]]
-source = "fine.csv"
-[[output]]
-kind = "tracks"
-every = "2 ms"
-[[output]]
-kind = "summary"
-every = "2 ms"
-[[output]]
-kind = "fields"
-every = "20 ms"
-"""
+OUTPUT = ('output=[{kind="tracks", every="2 ms"}, {kind="summary", every="2 ms"}, '
+          '{kind="fields", every="20 ms"}]')
 
 
 def run_case(folder):
-    (folder / "case.toml").write_text(CASE)
-    (folder / "pillars.txt").write_text("20 0 8\n20 24 8\n")
-    (folder / "fine.csv").write_text("x_m,y_m,z_m,diameter_m\n8e-6,12.3e-6,6.2e-6,9e-6\n")
     subprocess.run(
-        [os.environ["PF_BINARY"], "run", "case.toml"], cwd=folder, check=True, stdout=subprocess.DEVNULL,
+        [os.environ["PF_BINARY"], "run", ROOT / "cases/throat/case.toml", OUTPUT, "-o", folder / "out"],
+        check=True, stdout=subprocess.DEVNULL,
         env={**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"},
     )
     return folder / "out"

@@ -11,13 +11,19 @@ export function porefines(folder, ...words) {
 }
 
 /** Runs a case and writes its report; returns the folder of the run. */
-export function reported(text, files = {}) {
-  const folder = mkdtempSync(join(tmpdir(), "porefines_page_"));
+function written(file, ...changes) {
+  const out = join(mkdtempSync(join(tmpdir(), "porefines_page_")), "out");
+  porefines(".", "run", file, ...changes, "-o", out);
+  porefines(".", "report", out);
+  return out;
+}
+
+/** The same for a case as text. */
+function reported(text, files = {}) {
+  const folder = mkdtempSync(join(tmpdir(), "porefines_case_"));
   writeFileSync(join(folder, "case.toml"), text);
   Object.entries(files).forEach(([name, content]) => writeFileSync(join(folder, name), content));
-  porefines(folder, "run", "case.toml", "-o", "out");
-  porefines(folder, "report", "out");
-  return join(folder, "out");
+  return written(join(folder, "case.toml"));
 }
 
 export function summary(folder) {
@@ -30,49 +36,14 @@ export function table(folder, name) {
   return Object.fromEntries(head.map((column, c) => [column, rows.map((row) => (Number.isNaN(Number(row[c])) ? row[c] : Number(row[c])))]));
 }
 
-const pillars = "20 0 8\n20 24 8\n";
-const water = `
-[grid]
-cell_size = "1.3333333333333333 um"
-[fluid]
-viscosity = "1 mPa s"
-[flow]
-inlet = { face = "x-", pressure = "10 Pa" }
-outlet = { face = "x+", pressure = "0 Pa" }
-walls = ["z-", "z+"]
-slip = ["y-", "y+"]
-`;
-const throat = `
-[geometry]
-kind = "cylinders"
-source = "pillars.txt"
-size = ["40 um", "24 um", "12 um"]
-list_unit = "1 um"
-periodic_images = false
-${water}`;
+const throat = new URL("../../cases/throat/case.toml", import.meta.url).pathname;
 
 /** Water between two pillars. */
-export const flowRun = () => reported(`title = "Two pillars"\n${throat}`, { "pillars.txt": pillars });
+export const flowRun = () => written(throat, "title=Two pillars", "particles=[]", "output=[]");
 
 /** A fine that is sieved between them. */
-export const coupledRun = () => reported(`title = "A sieved fine </script>"
-[run]
-end_time = "60 ms"
-${throat}
-[clogging]
-hold_time = "10 ms"
-[[particles]]
-source = "fine.csv"
-[[output]]
-kind = "tracks"
-every = "2 ms"
-forces = true
-[[output]]
-kind = "summary"
-every = "2 ms"
-[[output]]
-kind = "fields"
-`, { "pillars.txt": pillars, "fine.csv": "x_m,y_m,z_m,diameter_m\n8e-6,12.3e-6,6.2e-6,9e-6\n" });
+export const coupledRun = () => written(throat, "title=A sieved fine </script>",
+  'output=[{kind="tracks", every="2 ms", forces=true}, {kind="summary", every="2 ms"}, {kind="fields"}]');
 
 /** Balls that fall, without a fluid. */
 export const dryRun = () => reported(`title = "Two balls"
