@@ -39,7 +39,21 @@ export function table(folder, name) {
 const throat = new URL("../../cases/throat/case.toml", import.meta.url).pathname;
 
 /** Water between two pillars. */
-export const flowRun = () => written(throat, "title=Two pillars", "particles=[]", "output=[]");
+export const flowRun = () => reported(`title = "Two pillars"
+[geometry]
+kind = "cylinders"
+source = "pillars.txt"
+size = ["40 um", "24 um", "12 um"]
+list_unit = "1 um"
+periodic_images = false
+[grid]
+cell_size = "1.3333333333333333 um"
+[flow]
+inlet = { face = "x-", pressure = "10 Pa" }
+outlet = { face = "x+", pressure = "0 Pa" }
+walls = ["z-", "z+"]
+slip = ["y-", "y+"]
+`, { "pillars.txt": "20 0 8\n20 24 8\n" });
 
 /** A fine that is sieved between them. */
 export const coupledRun = () => written(throat, "title=A sieved fine </script>",
