@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MPL-2.0
+#include "core/aligned.hpp"
+
 #include <cstdint>
 #include <set>
 
 #include <gtest/gtest.h>
-
-#include "core/aligned.hpp"
 
 namespace porefines {
 namespace {
