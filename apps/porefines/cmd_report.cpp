@@ -25,7 +25,8 @@ void add_report(CLI::App& app, int& exit_code) {
     int rank = 0;
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
     if (rank == 0) {
-      std::cout << "report     " << page::write_report(*folder) << '\n';
+      const std::string path = page::write_report(*folder);
+      std::cout << "report     " << path << '\n';
     }
     exit_code = exit_code::done;
   });
