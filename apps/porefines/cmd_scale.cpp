@@ -30,7 +30,7 @@ constexpr int most_weak = 16;  // times the sample of one rank
 /// A micromodel and its case; made once.
 std::string make_sample(const std::string& folder, const std::string& name, Int3 pixels,
                         Real porosity) {
-  const std::string file = folder + "/" + name + ".toml";
+  std::string file = folder + "/" + name + ".toml";
   if (!std::filesystem::exists(folder + "/" + name + ".png")) {
     geom::MicromodelSpec spec;
     spec.pixels = pixels;
