@@ -102,6 +102,10 @@ int main(int argc, char** argv) {
 #endif
   // Started alone, Open MPI would start a daemon for processes to come: none do, and it costs 0.1 s.
   ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+  // All such processes would make and remove one folder in /tmp, and fail where two of them meet.
+  if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr && std::getenv("PMIX_RANK") == nullptr) {
+    ::setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
+  }
   // Nobody shares a file pointer, and two runs at a time would complain of each other's.
   ::setenv("OMPI_MCA_sharedfp", "^sm", 0);
   MPI_Init(&argc, &argv);
