@@ -126,6 +126,7 @@ CreepReport System::creep(Real dt, Real allowed_approach) {
   forces_hold_ = true;
   moves_ = true;
   extrapolate(particles_, dt);
+  walls_.forget_sights();
   CreepReport report{0, dt};
   Real before = 0;  // the substep over which springs have stretched
   for (Real left = dt; left > 0; ++report.substeps, ++work_.steps) {

@@ -47,6 +47,24 @@ void WallContacts::find(const Particles& p, std::uint32_t i, std::uint32_t surfa
   trouble_.uncovered += touches_.uncovered ? 1 : 0;
 }
 
+/// The same, from the last search where the surface stays and the particle has hardly moved since.
+void WallContacts::find_again(const Particles& p, const Candidate& c, Real reach, Sight& sight) {
+  const Vec3& x = p.position[c.particle];
+  touches_.clear();
+  if (!sight.recall(x, p.radius[c.particle], reach, touches_)) {
+    find(p, c.particle, c.surface, reach);
+    if (is_still_[c.surface] != 0 && !touches_.in_trouble()) {
+      sight.keep(x, reach, touches_);
+    }
+  }
+}
+
+void WallContacts::forget_sights() {
+  for (Sights& sights : sights_) {
+    sights.touching.forget(), sights.near.forget();
+  }
+}
+
 void WallContacts::build(const Particles& p, Real skin, Real moved, const KeptContacts& kept) {
   candidates_.clear(), entries_.clear(), anchors_.clear(), is_still_.clear();
   largest_speed_ = 0;
@@ -75,6 +93,8 @@ void WallContacts::build(const Particles& p, Real skin, Real moved, const KeptCo
       anchors_.push_back({p.position[i], is_still_[part] != 0 ? trusted * gap : 0});
     }
   }
+  sights_.resize(candidates_.size());
+  forget_sights();
 }
 
 /// [m] of the last search, at most `reach`.
@@ -102,7 +122,7 @@ bool WallContacts::stays_clear(const Particles& p, Real moved, std::size_t candi
 
 /// Finds what a candidate touches now, or until when it cannot. Forces always come from a search
 /// without reach: shares may depend on what else is in the list.
-void WallContacts::look(const Particles& p, Real moved, std::size_t candidate) {
+void WallContacts::look(const Particles& p, Real moved, bool creeping, std::size_t candidate) {
   if (stays_clear(p, moved, candidate)) {
     return;
   }
@@ -118,7 +138,11 @@ void WallContacts::look(const Particles& p, Real moved, std::size_t candidate) {
       return;
     }
   }
-  find(p, c.particle, c.surface, 0);
+  if (creeping) {
+    find_again(p, c, 0, sights_[candidate].touching);
+  } else {
+    find(p, c.particle, c.surface, 0);
+  }
   c.clear = moved;
   for (int t = 0; t < touches_.count; ++t) {
     touches_.touch[t].feature |= c.surface << surface_shift;
@@ -166,7 +190,7 @@ void WallContacts::add_forces(const ContactModel& model, const MaterialTable& ma
       Candidate& c = candidates_[q];
       const auto first = static_cast<std::uint32_t>(next_.size());
       if (c.count > 0 || c.clear <= moved) {
-        look(p, moved, q);
+        look(p, moved, evaluation.creeping, q);
         match(c, touches_, [&](const Touch& touch, const ContactHistory& history) {
           next_.push_back({touch.feature, touch.normal, history});
           const int k = b.count++;

@@ -9,6 +9,7 @@
 #include "dem/kept_contacts.hpp"
 #include "dem/particles.hpp"
 #include "dem/surface.hpp"
+#include "dem/wall_sight.hpp"
 
 namespace porefines::dem {
 
@@ -35,15 +36,18 @@ class WallContacts {
   /// Calls visit(i, touch, wall's species) for every touch nearer than `reach`.
   template <typename Visit>
   void for_near(const Particles& particles, Real reach, Real moved, const Visit& visit) {
-    for (const Candidate& c : candidates_) {
+    for (std::size_t q = 0; q < candidates_.size(); ++q) {
+      const Candidate& c = candidates_[q];
       if (c.clear < moved + reach) {
-        find(particles, c.particle, c.surface, reach);
+        find_again(particles, c, reach, sights_[q].near);
         for (const Touch& touch : touches_.view()) {
           visit(c.particle, touch, species_[c.surface]);
         }
       }
     }
   }
+  /// Looks at every surface afresh: a run that goes on and one that is resumed then see the same.
+  void forget_sights();
   /// Moving walls go on for dt.
   void advance(Real dt);
   /// [m/s] no wall moves faster within `reach` of the particles.
@@ -97,10 +101,14 @@ class WallContacts {
     std::uint32_t entry;
     Real share;
   };
+  struct Sights {  ///< of a candidate in a creeping flow
+    Sight touching, near;
+  };
   void find(const Particles& particles, std::uint32_t i, std::uint32_t surface, Real reach);
+  void find_again(const Particles& particles, const Candidate& candidate, Real reach, Sight& sight);
   [[nodiscard]] Real nearest_gap(Real reach) const;
   [[nodiscard]] bool stays_clear(const Particles& particles, Real moved, std::size_t candidate);
-  void look(const Particles& particles, Real moved, std::size_t candidate);
+  void look(const Particles& particles, Real moved, bool creeping, std::size_t candidate);
   template <typename Add>
   void match(const Candidate& candidate, const TouchList& touches, const Add& add) const;
 
@@ -109,6 +117,7 @@ class WallContacts {
   int length_;
   std::vector<Candidate> candidates_;
   std::vector<Anchor> anchors_;         ///< of every candidate
+  std::vector<Sights> sights_;          ///< of every candidate
   std::vector<std::uint8_t> is_still_;  ///< of every surface: it does not move
   std::vector<Entry> entries_;
   std::vector<Entry> next_;
