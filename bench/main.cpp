@@ -6,9 +6,11 @@
 
 #include "media.hpp"
 #include "par/communicator.hpp"
+#include "par/mpi_defaults.hpp"
 #include "table.hpp"
 
 int main(int argc, char** argv) {
+  porefines::par::set_mpi_defaults();
   MPI_Init(&argc, &argv);
   benchmark::Initialize(&argc, argv);
   int status = benchmark::ReportUnrecognizedArguments(argc, argv) ? 2 : 0;

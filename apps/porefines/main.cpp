@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MPL-2.0
 #include <algorithm>
-#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <sstream>
@@ -15,6 +14,7 @@
 #include "commands.hpp"
 #include "core/error.hpp"
 #include "core/suggest.hpp"
+#include "par/mpi_defaults.hpp"
 #include "ranks.hpp"
 
 namespace porefines {
@@ -100,14 +100,7 @@ int main(int argc, char** argv) {
     return porefines::exit_code::stopped_itself;
   }
 #endif
-  // Started alone, Open MPI would start a daemon for processes to come: none do, and it costs 0.1 s.
-  ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
-  // All such processes would make and remove one folder in /tmp, and fail where two of them meet.
-  if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr && std::getenv("PMIX_RANK") == nullptr) {
-    ::setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
-  }
-  // Nobody shares a file pointer, and two runs at a time would complain of each other's.
-  ::setenv("OMPI_MCA_sharedfp", "^sm", 0);
+  porefines::par::set_mpi_defaults();
   MPI_Init(&argc, &argv);
   MPI_Comm ending = MPI_COMM_NULL;
   MPI_Comm_dup(MPI_COMM_WORLD, &ending);

@@ -14,6 +14,7 @@
 #include "core/error.hpp"
 #include "dem/system.hpp"
 #include "geom/voxel_solid.hpp"
+#include "par/mpi_defaults.hpp"
 
 using namespace porefines;
 
@@ -136,6 +137,7 @@ void run(const par::Communicator& comm, const std::string& file, const std::stri
 }  // namespace
 
 int main(int argc, char** argv) {
+  par::set_mpi_defaults();
   MPI_Init(&argc, &argv);
   int status = 0;
   try {

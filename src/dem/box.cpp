@@ -45,14 +45,19 @@ Blocks make_blocks(const par::Decomposition& decomposition, const Box& box) {
   return blocks;
 }
 
-Blocks even_blocks(const Box& box, int ranks) {
+Blocks even_blocks(const Box& box, int ranks, const Vec3& gravity) {
+  constexpr Real across_gravity = 2;
   Blocks blocks;
+  const auto falls_along = [&](int a) { return std::abs(gravity[a]) > 0.5 * norm(gravity); };
   Real smallest = -1;
   for (int px = 1; px <= ranks; ++px) {
     for (int py = 1; py <= ranks / px; ++py) {
       const Int3 parts{px, py, ranks / px / py};
       const Vec3 side{box.length(0) / parts[0], box.length(1) / parts[1], box.length(2) / parts[2]};
-      const Real surface = side.x * side.y + side.y * side.z + side.z * side.x;
+      Real surface = side.x * side.y + side.y * side.z + side.z * side.x;
+      for (int a = 0; a < 3; ++a) {
+        surface *= parts[a] > 1 && falls_along(a) ? across_gravity : 1;
+      }
       if (product(parts) == ranks && (smallest < 0 || surface < smallest * (1 - 1e-12))) {
         smallest = surface;
         blocks.ranks = parts;

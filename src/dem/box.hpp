@@ -35,7 +35,8 @@ struct Blocks {
 /// The blocks of the flow's decomposition, whose cells fill the box evenly.
 [[nodiscard]] Blocks make_blocks(const par::Decomposition& decomposition, const Box& box);
 
-/// Equal blocks for a run without a grid: as near to cubes as `ranks` allows, cuts along z first.
-[[nodiscard]] Blocks even_blocks(const Box& box, int ranks);
+/// Equal blocks for a run without a grid: as near to cubes as `ranks` allows, cuts along z first. What
+/// falls ends on one side: a cut across `gravity` must save half of the surface to be worth it.
+[[nodiscard]] Blocks even_blocks(const Box& box, int ranks, const Vec3& gravity = {});
 
 }  // namespace porefines::dem

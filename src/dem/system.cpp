@@ -15,7 +15,7 @@ namespace {
 
 Settings completed(Settings settings, const par::Communicator& comm) {
   if (settings.blocks.cuts[0].empty()) {
-    settings.blocks = even_blocks(settings.box, comm.size());
+    settings.blocks = even_blocks(settings.box, comm.size(), settings.gravity);
   }
   settings.wall_species.resize(settings.walls.size(), 0);
   for (const std::uint16_t species : settings.wall_species) {

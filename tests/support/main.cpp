@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 #include <mpi.h>
 
+#include "par/mpi_defaults.hpp"
+
 int main(int argc, char** argv) {
+  porefines::par::set_mpi_defaults();
   MPI_Init(&argc, &argv);
   ::testing::InitGoogleTest(&argc, argv);
   int rank = 0;

@@ -64,6 +64,15 @@ TEST(PairList, few_in_a_large_box) {
   expect_all_found(scattered(40, 0.05, 50), 0.1);
 }
 
+TEST(Blocks, are_columns_where_particles_fall) {
+  const dem::Box cube{{0, 0, 0}, {1, 1, 1}, {}};
+  EXPECT_EQ(dem::even_blocks(cube, 2).ranks, (Int3{1, 1, 2}));
+  EXPECT_EQ(dem::even_blocks(cube, 2, {0, 0, -9.81}).ranks, (Int3{1, 2, 1}));
+  EXPECT_EQ(dem::even_blocks(cube, 4, {0, 9.81, 0}).ranks, (Int3{2, 1, 2}));
+  const dem::Box hopper{{0, 0, 0}, {1, 1, 10}, {}};
+  EXPECT_EQ(dem::even_blocks(hopper, 8, {0, 0, -9.81}).ranks, (Int3{1, 1, 8}));
+}
+
 TEST(PairList, ghosts_of_a_periodic_box) {
   for (const Real ratio : {1.0, 20.0}) {
     Particles p = scattered(800, 0.08, ratio);
