@@ -138,11 +138,14 @@ struct ProbePoint {
   friend bool operator==(const ProbePoint&, const ProbePoint&) = default;
 };
 
-enum class CouplingMethod { implicit };
+enum class CouplingMethod {
+  one_solve,  ///< "implicit"
+  projected   ///< "explicit", the thesis's
+};
 
 /// [coupling]: particles in a flow.
 struct Coupling {
-  CouplingMethod method = CouplingMethod::implicit;
+  CouplingMethod method = CouplingMethod::one_solve;
   Real tolerance = 1e-4;  ///< relative residual of the solves after the first
   Real travel = 0.5;      ///< [cells] that the fastest particle may move in a step
   friend bool operator==(const Coupling&, const Coupling&) = default;

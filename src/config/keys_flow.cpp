@@ -169,8 +169,11 @@ std::vector<Key> flow_keys() {
   for (const Key& key : inertia_keys()) {
     keys.push_back(key);
   }
-  keys.push_back(choice_key("coupling.method", &Case::coupling, &Coupling::method, {"implicit"},
-                            "fluid and rigid particles in one solve"));
+  keys.push_back(
+      choice_key("coupling.method", &Case::coupling, &Coupling::method, {"implicit", "explicit"},
+                 "fluid and rigid particles in one solve; `explicit`, to compare: a step of the "
+                 "fluid as if there were no particles, then what lies in each is made rigid. Its "
+                 "error grows with the step (theory-coupling.md): lower travel"));
   keys.push_back(quantity_key("coupling.tolerance", &Case::coupling, &Coupling::tolerance,
                               kind::number, Range{1e-9, 1e-2}, "",
                               "relative residual of the solves after the first"));

@@ -99,6 +99,10 @@ void check_inertial(const Case& subject, const Node& given) {
   } else {
     check_without_particles(subject, given);
   }
+  if (subject.coupling.method == CouplingMethod::projected) {
+    fail(place_of(given, "coupling.method"), "\"explicit\" is for creeping flow",
+         "leave it out: with inertia the implicit solve is the only one");
+  }
   if (!subject.inertia.steady && !(subject.run.end_time > 0)) {
     fail(place_of(given, "run.end_time"), "is missing",
          "end_time = \"1 s\", or steady = true for the steady flow alone");

@@ -232,12 +232,12 @@ void Advection::carry_openings(const Operator& op, const FaceVelocity& u, const 
 }
 
 void Advection::apply(const Operator& op, const FaceVelocity& u, Packed<float>& out) const {
-  scheme_ == Scheme::linear ? run<false, false>(op, u, u, out) : run<true, false>(op, u, u, out);
+  scheme_ != Scheme::lust ? run<false, false>(op, u, u, out) : run<true, false>(op, u, u, out);
 }
 
 void Advection::change(const Operator& op, const FaceVelocity& u, const FaceVelocity& z,
                        Packed<float>& out) const {
-  scheme_ == Scheme::linear ? run<false, true>(op, u, z, out) : run<true, true>(op, u, z, out);
+  scheme_ != Scheme::lust ? run<false, true>(op, u, z, out) : run<true, true>(op, u, z, out);
 }
 
 }  // namespace porefines::flow

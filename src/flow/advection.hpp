@@ -11,7 +11,8 @@ namespace porefines::flow {
 /// How a velocity is interpolated to where it is carried through.
 enum class Scheme {
   linear,  ///< mean of both sides: second order, conserves energy, waves where a cell's Re is large
-  lust     ///< 75 % linear + 25 % linear-upwind: second order, damps those waves
+  lust,    ///< 75 % linear + 25 % linear-upwind: second order, damps those waves
+  none     ///< momentum is not carried: the unsteady creeping flow
 };
 
 /// Carriage of momentum, div(u u), on the faces of the finest level, per unit volume:

@@ -38,7 +38,7 @@ InertialFlow::InertialFlow(StokesSolver& solver, Real density, Scheme scheme, Ti
   const Real h = parts_.spacing.x;
   const Real before = parts_.scale;
   parts_.scale = speed * parts_.viscosity / (h * h);
-  inertia_ = density * speed * h / parts_.viscosity;
+  inertia_ = scheme == Scheme::none ? 0 : density * speed * h / parts_.viscosity;
   const std::size_t size = parts_.equations.size();
   const bool known = first == First::solved && parts_.unknowns.size() == size;
   parts_.unknowns.resize(size);

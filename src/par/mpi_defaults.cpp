@@ -5,6 +5,8 @@
 
 namespace porefines::par {
 
+// No other thread has begun.
+// NOLINTBEGIN(concurrency-mt-unsafe)
 namespace {
 
 void unless_given(const char* name, const char* value) {
@@ -26,5 +28,6 @@ void set_mpi_defaults() {
   unless_given("OMPI_MCA_btl_vader_eager_limit", "65536");
   unless_given("OMPI_MCA_btl_vader_max_send_size", "131072");
 }
+// NOLINTEND(concurrency-mt-unsafe)
 
 }  // namespace porefines::par

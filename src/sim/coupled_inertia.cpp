@@ -17,21 +17,6 @@
 namespace porefines::sim {
 namespace {
 
-/// [m/s] of the fastest particle to come: as given, or as it settles by itself, by viscosity or by
-/// inertia with a drag coefficient of 0.4.
-Real particle_speed(const config::Case& the_case) {
-  const Real radius = largest_radius(the_case);
-  Real speed = 0;
-  for (const config::Particles& species : the_case.particles) {
-    const Real pull = norm(outer_force(the_case, species, radius));
-    const Real viscous = pull / (6 * std::numbers::pi * the_case.fluid.viscosity * radius);
-    const Real area = std::numbers::pi * radius * radius;
-    const Real inertial = std::sqrt(pull / (0.2 * the_case.fluid.density * area));
-    speed = std::max({speed, norm(vec(species.velocity)), std::min(viscous, inertial)});
-  }
-  return speed;
-}
-
 /// Moduli such that an impact at this speed overlaps by half of what the case allows.
 void soften(CoupledRun& run, Real speed) {
   const Real radius = largest_radius(run.the_case);
@@ -154,6 +139,19 @@ void advance_flow(CoupledRun& run, Real step) {
 
 }  // namespace
 
+Real particle_speed(const config::Case& the_case) {
+  const Real radius = largest_radius(the_case);
+  Real speed = 0;
+  for (const config::Particles& species : the_case.particles) {
+    const Real pull = norm(outer_force(the_case, species, radius));
+    const Real viscous = pull / (6 * std::numbers::pi * the_case.fluid.viscosity * radius);
+    const Real area = std::numbers::pi * radius * radius;
+    const Real inertial = std::sqrt(pull / (0.2 * the_case.fluid.density * area));
+    speed = std::max({speed, norm(vec(species.velocity)), std::min(viscous, inertial)});
+  }
+  return speed;
+}
+
 void start_inertia(CoupledRun& run) {
   const config::Case& the_case = run.the_case;
   const InertialDrive wanted = inertial_drive(the_case);
@@ -213,7 +211,8 @@ void move_with_inertia(CoupledRun& run, Real step) {
 }
 
 void recall_inertia(CoupledRun& run, const flow::InertialFlow::Memory& memory) {
-  run.inertial->recall(memory, heavy_spheres(run, 1));
+  run.inertial->recall(memory,
+                       run.projection ? std::vector<flow::Sphere>{} : heavy_spheres(run, 1));
   run.cold = false;
   feed_inlets(run);
 }

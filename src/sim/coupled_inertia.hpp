@@ -21,6 +21,10 @@ namespace porefines::sim {
 // happen, what they exchange is the same in both lines, and their restitution is that of the material;
 // lubrication below the grid belongs to the solve, implicitly. Tests: cli/coupled_inertia.
 
+/// [m/s] of the fastest particle to come: as given, or as it settles by itself, by viscosity or by
+/// inertia with a drag coefficient of 0.4.
+[[nodiscard]] Real particle_speed(const config::Case& the_case);
+
 /// The flow with inertia, from the creeping flow of its drive; contacts as soft as the impact of what
 /// falls or flows fastest allows. Collective.
 void start_inertia(CoupledRun& run);

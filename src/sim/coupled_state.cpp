@@ -61,6 +61,17 @@ void soften(CoupledRun& run) {
   run.state.stiffness = factor;
 }
 
+/// The explicit coupling: its fluid begins with the flow without particles.
+void start_projection(CoupledRun& run, const par::Communicator& comm) {
+  const Real density = run.the_case.fluid.density;
+  const Real flows = std::abs(run.state.clean_rate) / run.domain.area();
+  run.inertial = std::make_unique<flow::InertialFlow>(
+      run.solver, density, flow::Scheme::none, flow::TimeScheme::euler,
+      std::max(flows, particle_speed(run.the_case)), flow::InertialFlow::First::solved);
+  run.projection =
+      std::make_unique<flow::RigidProjection>(run.solver, *run.inertial, density, comm);
+}
+
 }  // namespace
 
 config::Case with_box_of_flow(config::Case the_case) {
@@ -105,6 +116,7 @@ CoupledRun make_coupled_run(const config::Case& the_case, const geom::Sample& sa
       {},
       {},
       true,
+      {},
       {}};
   run.particles.in_fluid = true;
   run.particles.state.inlets.resize(run.particles.inlets.size());
@@ -116,6 +128,9 @@ CoupledRun make_coupled_run(const config::Case& the_case, const geom::Sample& sa
   }
   set_drive(run, clean);
   soften(run);
+  if (the_case.coupling.method == config::CouplingMethod::projected) {
+    start_projection(run, comm);
+  }
   return run;
 }
 

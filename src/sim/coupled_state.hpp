@@ -10,6 +10,7 @@
 #include "analysis/readings.hpp"
 #include "config/case.hpp"
 #include "flow/inertial_flow.hpp"
+#include "flow/rigid_projection.hpp"
 #include "sim/domain.hpp"
 #include "sim/dry_state.hpp"
 #include "sim/steady_flow.hpp"
@@ -55,7 +56,9 @@ struct CoupledRun {
   FlowNow now;
   CoupledState state;
   bool cold = true;  ///< nothing is known of the flow with particles yet
-  std::unique_ptr<flow::InertialFlow> inertial = {};  ///< with regime = "navier-stokes"
+  /// With regime = "navier-stokes"; or the fluid's part of the explicit coupling.
+  std::unique_ptr<flow::InertialFlow> inertial = {};
+  std::unique_ptr<flow::RigidProjection> projection = {};  ///< with coupling.method = "explicit"
 
   [[nodiscard]] const par::Communicator& comm() const { return particles.comm; }
   [[nodiscard]] Real time() const { return particles.state.time; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MPL-2.0
+// Sentences of the coupled loop about the particles: how far, how stiff, in and out, and when it ends.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -14,173 +14,13 @@
 namespace porefines::sim {
 namespace {
 
-using std::numbers::pi;
-
 /// Share of the largest overlap by which two particles may come nearer in one substep.
 constexpr Real approach_share = 0.25;
 
-/// The spheres of this rank as the flow sees them: weight less buoyancy, the case's force, and the
-/// mean contact force of the last step, F* of algorithm.md section 5.
-std::vector<flow::Sphere> spheres_of(CoupledRun& run) {
-  dem::Particles& p = run.particles.system.particles();
-  const Vec3 corner = run.domain.origin();
-  std::vector<flow::Sphere> spheres;
-  for (std::size_t i = 0; i < p.owned; ++i) {
-    dem::Creeping& c = p.creeping;
-    c.told_force[i] = c.mean_force[i];
-    c.told_torque[i] = c.mean_torque[i];
-    flow::Sphere q;
-    q.id = p.id[i];
-    q.position = p.position[i] - corner;
-    q.radius = p.radius[i];
-    q.held = p.is_fixed(i);
-    q.velocity = q.held ? Vec3{} : c.free_velocity[i];
-    q.spin = q.held ? Vec3{} : c.free_spin[i];
-    q.force = outer_force(run.the_case, run.the_case.particles[p.species[i]], p.radius[i]) +
-              c.mean_force[i];
-    q.torque = c.mean_torque[i];
-    spheres.push_back(q);
-  }
-  return spheres;
-}
-
-void take_motions(CoupledRun& run) {
-  dem::Particles& p = run.particles.system.particles();
-  const std::vector<flow::SphereMotion> motions = run.solver.sphere_motions();
-  const Real mu = run.the_case.fluid.viscosity;
-  for (std::size_t i = 0; i < p.owned; ++i) {
-    dem::Creeping& c = p.creeping;
-    const Real a = p.radius[i];
-    c.free_velocity[i] = motions[i].velocity;
-    c.free_spin[i] = motions[i].spin;
-    c.told_force[i] +=
-        motions[i].contact;  // the solve held it so: it is the contact's to take over
-    c.resistance[i] = 6 * pi * mu * a;
-    c.spin_resistance[i] = 8 * pi * mu * a * a * a;
-    if (c.drift_step[i] == 0) {  // newly come: it moves as the flow says until it has touched
-      p.velocity[i] = motions[i].velocity;
-      p.angular_velocity[i] = motions[i].spin;
-    }
-  }
-}
-
-flow::Drive scaled(const flow::Drive& drive, Real factor) {
-  flow::Drive out = drive;
-  out.force *= factor;
-  for (Real& value : out.face_value) {
-    value *= factor;
-  }
-  return out;
-}
-
-void solve_once(CoupledRun& run, const flow::Drive& drive) {
-  flow::SolveOptions options;
-  options.tolerance = run.cold ? run.the_case.flow.tolerance : run.the_case.coupling.tolerance;
-  run.cold = false;
-  options.max_cycles = run.the_case.flow.max_cycles;
-  const flow::SolveReport report = run.solver.solve(drive, options);
-  run.now.cycles += report.cycles;
-  run.now.residual = report.residual;
-  run.state.cycles += report.cycles;
-  ++run.state.solves;
-  if (!report.converged) {
-    throw RunError(
-        fmt::format("the solve at {:.6g} s {}: residual {:.3g} after {} cycles, wanted {:.3g}\n"
-                    "try a smaller grid.cell_size, or a larger flow.max_cycles",
-                    run.time(), std::isfinite(report.residual) ? "did not converge" : "broke down",
-                    report.residual, report.cycles, options.tolerance));
-  }
-}
-
 }  // namespace
 
-std::vector<flow::WallGap> walls_near(const CoupledRun& run) {
-  const dem::System& system = run.particles.system;
-  const dem::Particles& p = system.particles();
-  const Real reach = flow::lubrication_range * run.domain.spacing.x;
-  std::vector<flow::WallGap> walls;
-  dem::TouchList touches;
-  for (std::size_t i = 0; i < p.owned; ++i) {
-    dem::find_touches(system.settings().walls, p.position[i], p.radius[i], reach, touches);
-    for (const dem::Touch& touch : touches.view()) {
-      walls.push_back({i, touch.normal, touch.gap, touch.share});
-    }
-  }
-  return walls;
-}
-
-void feed_inlets(CoupledRun& run) {
-  const Domain& domain = run.domain;
-  for (std::size_t k = 0; k < run.particles.inlets.size(); ++k) {
-    dem::Inlet& inlet = run.particles.inlets[k];
-    const config::Injection& asked = run.the_case.injection[k];
-    const int axis = axis_of(inlet.face);
-    const int a = axis == 0 ? 1 : 0;
-    const int b = axis == 2 ? 1 : 2;
-    const bool given = domain.boundaries.at(axis, is_high(inlet.face)) == flow::FaceKind::velocity;
-    const int plane = is_high(inlet.face) ? domain.cells[axis] - (given ? 1 : 0) : (given ? 1 : 0);
-    const auto profile =
-        std::make_shared<const std::vector<Real>>(run.solver.plane_velocities(axis, plane));
-    const Vec3 corner = domain.origin();
-    const Vec3 spacing = domain.spacing;
-    const Int3 cells = domain.cells;
-    inlet.flow = [=](const Vec3& x) {
-      const auto cell = [&](int t) {
-        const int i = static_cast<int>(std::floor((x[t] - corner[t]) / spacing[t]));
-        return static_cast<std::size_t>(std::clamp(i, 0, cells[t] - 1));
-      };
-      Vec3 v;
-      v[axis] = (*profile)[cell(b) * static_cast<std::size_t>(cells[a]) + cell(a)];
-      return v;
-    };
-    const Real inwards = is_high(inlet.face) ? -1 : 1;
-    Real rate = 0;
-    inlet.fastest_flow = 0;
-    for (int j = 0; j < cells[b]; ++j) {
-      for (int i = 0; i < cells[a]; ++i) {
-        const Real y = corner[a] + (i + 0.5) * spacing[a];
-        const Real z = corner[b] + (j + 0.5) * spacing[b];
-        if (y < inlet.low[a] || y > inlet.high[a] || z < inlet.low[b] || z > inlet.high[b]) {
-          continue;
-        }
-        const Real v = inwards * (*profile)[static_cast<std::size_t>(j) * cells[a] + i];
-        rate += std::max(v, 0.0) * spacing[a] * spacing[b];
-        inlet.fastest_flow = std::max(inlet.fastest_flow, v);
-      }
-    }
-    if (asked.kind != config::Concentration::rate) {
-      inlet.rate = injected_volume(run.the_case, asked, inlet.density, rate);
-    }
-  }
-}
-
-void solve_flow(CoupledRun& run) {
-  if (run.inertial) {
-    solve_with_inertia(run);
-    return;
-  }
-  constexpr Real pump_accuracy = 1e-3;
-  constexpr int most_turns = 3;
-  run.now.cycles = 0;
-  for (int turn = 0; turn < most_turns; ++turn) {
-    const flow::Drive drive = scaled(run.drive, run.state.drive_factor);
-    run.solver.set_spheres(spheres_of(run), walls_near(run));
-    solve_once(run, drive);
-    take_motions(run);
-    run.now.darcy = measure_darcy(run.the_case, run.domain, drive, run.solver);
-    if (run.wanted_rate == 0 ||
-        std::abs(run.now.darcy.flow_rate / run.wanted_rate - 1) < pump_accuracy) {
-      break;
-    }
-    // A pump that finds no way out still turns up step by step, not at once.
-    const Real ratio = run.wanted_rate / run.now.darcy.flow_rate;
-    run.state.drive_factor *= ratio > 0 ? std::min(ratio, 2.0) : 2.0;
-  }
-  feed_inlets(run);
-}
-
 Real choose_step(const CoupledRun& run) {
-  if (run.inertial) {
+  if (config::is_inertial(run.the_case)) {
     return choose_inertial_step(run);
   }
   const dem::Particles& p = run.particles.system.particles();
@@ -208,7 +48,7 @@ Real choose_step(const CoupledRun& run) {
 }
 
 void move_particles(CoupledRun& run, Real step) {
-  if (run.inertial) {
+  if (config::is_inertial(run.the_case)) {
     move_with_inertia(run, step);
     return;
   }
