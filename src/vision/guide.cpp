@@ -170,12 +170,18 @@ Step expected(const Guide& g, const cv::Point2d& at) {
 }
 
 cv::Point2d advect(const Guide& guide, cv::Point2d at, Real frames) {
-  constexpr int substeps = 4;
-  const Real h = frames / substeps;
-  for (int k = 0; k < substeps; ++k) {
+  constexpr Real share = 0.7;  // of a cell a substep
+  constexpr Real slowest = 1e-9;
+  constexpr int most = 200;
+  Real left = frames;
+  for (int k = 0; k < most && left > 0; ++k) {
     const cv::Point2d first = expected(guide, at).mean;
+    const Real h = std::min(
+        left, std::max(share * guide.cell / std::max(std::hypot(first.x, first.y), slowest),
+                       frames / most));
     const cv::Point2d second = expected(guide, at + h * first).mean;
     at += 0.5 * h * (first + second);
+    left -= h;
   }
   return at;
 }

@@ -32,7 +32,7 @@ struct Guide {
 /// Bilinear between the centres of the cells, constant beyond them.
 [[nodiscard]] Step expected(const Guide& guide, const cv::Point2d& at);
 
-/// Where a particle is after `frames` frames in the guide's mean steps (Heun, four substeps a frame).
+/// Where a particle is after `frames` frames in the guide's mean steps (Heun, at most 0.7 cells a substep).
 [[nodiscard]] cv::Point2d advect(const Guide& guide, cv::Point2d at, Real frames);
 
 /// Mean distance between particles, 1 / sqrt(number per area) [pixels].

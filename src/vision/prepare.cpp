@@ -2,6 +2,7 @@
 #include "vision/prepare.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
@@ -45,7 +46,8 @@ DetectWishes in_pixels(const TrackSettings& settings) {
 
 std::vector<cv::Mat> sample_frames(const std::string& path, int start, int stop, int most) {
   Video video(path);
-  constexpr int window = 2000;
+  // A video file gives its frames only one after the other.
+  const int window = std::filesystem::is_directory(path) ? 2000 : 400;
   int last = start + window - 1;
   last = video.frames() > 0 ? std::min(last, video.frames() - 1) : last;
   last = stop >= 0 ? std::min(last, stop) : last;

@@ -19,7 +19,7 @@ struct Prepared {
   std::vector<cv::Mat> sample;  ///< the frames that it was estimated from
 };
 
-/// Frames spread evenly over the first 2000 of the video from `start` on, at most `most` of them.
+/// Frames spread evenly over the first 2000 of a folder, 400 of a video file, from `start` on, at most `most`.
 [[nodiscard]] std::vector<cv::Mat> sample_frames(const std::string& path, int start, int stop,
                                                  int most);
 

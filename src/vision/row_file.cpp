@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MPL-2.0
 #include "vision/row_file.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -34,7 +35,8 @@ class Annotator {
             int diameter)
       : video_(request.video), scale_(scale), diameter_(diameter) {
     time_ = arrow_time(linked, scale);
-    middle_ = linked.frames / 2;
+    constexpr int soon = 100;  // a video file is read from its start
+    middle_ = std::min(linked.frames / 2, soon);
     folder_ = request.output_dir;
     wanted_ = request.settings.video;
     video_.seek(request.settings.start + (wanted_ ? 0 : middle_));
