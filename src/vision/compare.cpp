@@ -26,6 +26,7 @@ struct View {
   int width = 0;
   int height = 0;
   Real pixel_size = 0;
+  Real margin = 0;  ///< [pixels] along the border, where a particle is not seen whole
 };
 
 /// What one side has, inside of the view and in its coordinates.
@@ -49,8 +50,9 @@ View read_view(const std::string& folder) {
     }
     return value;
   };
+  const Real diameter = summary->number("particle_diameter_pixels");
   return {static_cast<int>(number("width_pixels")), static_cast<int>(number("height_pixels")),
-          number("pixel_size_m")};
+          number("pixel_size_m"), std::isfinite(diameter) ? 0.5 * diameter : 0};
 }
 
 /// The same particle rests in one place however many rows say so.
@@ -61,6 +63,13 @@ void note_retained(std::vector<cv::Point2d>& places, const cv::Point2d& at, Real
   if (!known) {
     places.push_back(at);
   }
+}
+
+bool is_in_view(const View& view, const cv::Point2d& at) {
+  const Real x = at.x / view.pixel_size;
+  const Real y = at.y / view.pixel_size;
+  return x >= view.margin && y >= view.margin && x < view.width - view.margin &&
+         y < view.height - view.margin;
 }
 
 /// @param to_view  from the table's places to those of the video
@@ -77,7 +86,7 @@ Side read_side(const std::string& table, const View& view, const Alignment& to_v
       const cv::Point2d at = to_view.apply({row.x, row.y});
       const auto i = static_cast<int>(std::floor(at.x / view.pixel_size));
       const int j = view.height - 1 - static_cast<int>(std::floor(at.y / view.pixel_size));
-      if (row.state == TrackState::out || i < 0 || j < 0 || i >= view.width || j >= view.height) {
+      if (row.state == TrackState::out || !is_in_view(view, at)) {
         continue;
       }
       row.x = at.x;

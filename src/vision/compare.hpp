@@ -32,7 +32,8 @@ struct RunAgreement {
 };
 
 /// Overlays a run and a video, as the thesis's figures 17 to 19: streamlines.png, mean_speed.png,
-/// sigma.png, speed_histogram.png and agreement.json. Only what lies in the picture of the video counts.
+/// sigma.png, speed_histogram.png and agreement.json. Of both sides only what lies in the picture
+/// of the video counts, and there farther from its border than half a particle: what is nearer is half seen.
 /// @throws InputError  a table is missing, or nothing overlaps
 /// Tests: vision/compare, vision/closed_loop.
 [[nodiscard]] RunAgreement compare(const CompareRequest& request);

@@ -24,6 +24,7 @@ class Source {
   explicit Source(const SynthesisRequest& r) {
     TracerSpec tracers = r.tracers;
     tracers.clearance = 0.5 * r.diameter;
+    tracers.apart = 2 * r.diameter;  // particles do not lie in each other
     const bool folder = std::filesystem::is_directory(r.source);
     const std::string table = folder ? r.source + "/tracks.csv" : r.source;
     if (folder && std::filesystem::exists(r.source + "/fields.xdmf")) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "core/error.hpp"
 #include "core/random.hpp"
@@ -12,6 +13,14 @@ namespace porefines::vision {
 namespace {
 
 constexpr int most_tries = 100000;
+constexpr int polite_tries = 2000;  // then others may be near
+constexpr Real slowest = 0.01;  // of the fastest at the inlet: what is slower would rest in a film
+
+struct Tracer {
+  Index id = 0;
+  Vec3 x;
+  bool stuck = false;
+};
 
 struct Inlet {
   int axis = 0;
@@ -38,8 +47,8 @@ class Nursery {
     }
   }
 
-  /// A place in the pores.
-  Vec3 anywhere() {
+  /// A place in the pores where the flow moves.
+  Vec3 anywhere(std::span<const Tracer> others) {
     const Vec3 low = field_.low();
     const Vec3 size = field_.high() - low;
     for (int k = 0; k < most_tries; ++k) {
@@ -47,7 +56,8 @@ class Nursery {
       x.x += size.x * draws_.uniform();
       x.y += size.y * draws_.uniform();
       x.z += size.z * (spec_.middle ? 0.5 : draws_.uniform());
-      if (is_clear(x)) {
+      if (is_clear(x) && norm(velocity_at(field_, x)) > slowest * inlet_.fastest &&
+          (k > polite_tries || is_apart(x, others))) {
         return x;
       }
     }
@@ -55,14 +65,17 @@ class Nursery {
   }
 
   /// A place just inside of the inlet, more often where the flow is strong, some way into its frame.
-  Vec3 entering() {
+  Vec3 entering(std::span<const Tracer> others) {
     for (int k = 0; k < most_tries; ++k) {
       const Vec3 x = on_inlet();
       if (draws_.uniform() * inlet_.fastest < speed_in(x) && is_clear(x)) {
-        return follow_flow(field_, x, draws_.uniform() * spec_.frame_time);
+        const Vec3 at = follow_flow(field_, x, draws_.uniform() * spec_.frame_time);
+        if (k > polite_tries || is_apart(at, others)) {
+          return at;
+        }
       }
     }
-    return anywhere();
+    return anywhere(others);
   }
 
  private:
@@ -76,6 +89,11 @@ class Nursery {
       }
     }
     return !is_solid(field_, x);
+  }
+
+  [[nodiscard]] bool is_apart(const Vec3& x, std::span<const Tracer> others) const {
+    return std::none_of(others.begin(), others.end(),
+                        [&](const Tracer& t) { return norm(t.x - x) < spec_.apart; });
   }
 
   Vec3 on_inlet() {
@@ -119,31 +137,24 @@ TrackRow row_of(Real time, Index id, const Vec3& x, const Vec3& v, TrackState st
 
 std::vector<std::vector<TrackRow>> make_tracers(const FlowField& field, const TracerSpec& spec) {
   Nursery nursery(field, spec);
-  struct Tracer {
-    Index id;
-    Vec3 x;
-  };
-  std::vector<Tracer> moving;
-  std::vector<Tracer> stuck;
+  std::vector<Tracer> all;
   Index next = 1;
-  for (int k = 0; k < spec.stuck; ++k) {
-    stuck.push_back({next++, nursery.anywhere()});
-  }
-  for (int k = 0; k < spec.count; ++k) {
-    moving.push_back({next++, nursery.anywhere()});
+  for (int k = 0; k < spec.stuck + spec.count; ++k) {
+    all.push_back({next++, nursery.anywhere(all), k < spec.stuck});
   }
   std::vector<std::vector<TrackRow>> frames;
   for (int f = 0; f < spec.frames; ++f) {
     const Real time = f * spec.frame_time;
     std::vector<TrackRow> rows;
-    for (const Tracer& t : stuck) {
-      rows.push_back(row_of(time, t.id, t.x, {}, TrackState::retained));
-    }
-    for (Tracer& t : moving) {
+    for (Tracer& t : all) {
+      if (t.stuck) {
+        rows.push_back(row_of(time, t.id, t.x, {}, TrackState::retained));
+        continue;
+      }
       rows.push_back(row_of(time, t.id, t.x, velocity_at(field, t.x), TrackState::mobile));
       t.x = follow_flow(field, t.x, spec.frame_time);
       if (is_solid(field, t.x)) {  // gone, or a rounding into a grain
-        t = {next++, nursery.entering()};
+        t = {next++, nursery.entering(all), false};
       }
     }
     std::sort(rows.begin(), rows.end(),

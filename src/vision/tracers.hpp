@@ -14,12 +14,13 @@ struct TracerSpec {
   Real frame_time = 1;  ///< [s]
   bool middle = true;   ///< all on the middle plane; otherwise anywhere in the depth
   Real clearance = 0;   ///< [m] from grains at the start: the radius of the particles
+  Real apart = 0;       ///< [m] between any two at the start, where there is room
   int stuck = 0;        ///< further ones that never move
   unsigned long long seed = 1;
 };
 
 /// Points that the flow of a run carries, frame by frame, as rows of a table of tracks. They start
-/// anywhere in the pores; what leaves is followed by a new one at the inlet, where the flow is strong in
+/// anywhere in the pores where the flow has a hundredth of its speed at the inlet; what leaves is followed by a new one at the inlet, where the flow is strong in
 /// proportion, so that the concentration stays even. Velocities are those of the field.
 /// Test: vision/tracers.
 [[nodiscard]] std::vector<std::vector<TrackRow>> make_tracers(const FlowField& field,
