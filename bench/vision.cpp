@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MPL-2.0
 // Frames a second of the tracker on one core, whole and stage by stage: 640 x 424 pixels, 370 particles.
 //   porefines_bench --benchmark_filter=vision
-#include <benchmark/benchmark.h>
-
 #include <filesystem>
 #include <iostream>
 #include <sstream>
 
+#include <benchmark/benchmark.h>
 #include <opencv2/videoio.hpp>
 #include <unistd.h>
 
@@ -133,8 +132,7 @@ void vision_link(benchmark::State& state) {
   for (auto _ : state) {
     Linker linker(link, learnt.guide, learnt.motion);
     for (std::size_t f = 0; f < frames; ++f) {
-      benchmark::DoNotOptimize(
-          linker.next(spots()[f], f + 1 < frames ? spots()[f + 1] : Spots{}));
+      benchmark::DoNotOptimize(linker.next(spots()[f], f + 1 < frames ? spots()[f + 1] : Spots{}));
     }
   }
   state.SetItemsProcessed(state.iterations() * frames);

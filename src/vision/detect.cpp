@@ -8,6 +8,7 @@
 
 #include "vision/centroid.hpp"
 #include "vision/fit.hpp"
+#include "vision/pairs.hpp"
 #include "vision/video.hpp"
 
 namespace porefines::vision {
@@ -163,7 +164,12 @@ std::vector<Spot> detect(const cv::Mat& frame, const Still& still, const DetectS
     spots = thinned(std::move(spots), s.separation);
     fit_gaussians(light, spots, s.diameter);
   }
-  return thinned(std::move(spots), s.separation);
+  spots = thinned(std::move(spots), s.separation);
+  constexpr Real usual = 0.61;  // [diameters] who asks for more wants no pairs
+  if (s.centre == Centre::gaussian && s.separation <= usual * s.diameter) {
+    split_pairs(light, spots, s.diameter);
+  }
+  return spots;
 }
 
 }  // namespace porefines::vision

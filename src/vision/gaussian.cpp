@@ -5,12 +5,14 @@
 #include <array>
 #include <cmath>
 
+#include "vision/elimination.hpp"
+
 namespace porefines::vision {
 namespace {
 
-constexpr int unknowns = 5;  // x0, y0, a, s, b
-using Vector = std::array<Real, unknowns>;
-using Matrix = std::array<Vector, unknowns>;
+constexpr std::size_t unknowns = 5;  // x0, y0, a, s, b
+using Vector = SmallVector<unknowns>;
+using Matrix = SmallMatrix<unknowns>;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -24,30 +26,6 @@ void bell(int start, int count, Real middle, Real width, std::vector<Real>& out)
     const Real d = start + k - middle;
     out[at(k)] = std::exp(factor * d * d);
   }
-}
-
-/// Gaussian elimination of a positive definite system; false when it is not one.
-bool solve(Matrix a, Vector b, Vector& x) {
-  for (std::size_t k = 0; k < unknowns; ++k) {
-    if (!(a[k][k] > 0)) {
-      return false;
-    }
-    for (std::size_t r = k + 1; r < unknowns; ++r) {
-      const Real factor = a[r][k] / a[k][k];
-      for (std::size_t c = k; c < unknowns; ++c) {
-        a[r][c] -= factor * a[k][c];
-      }
-      b[r] -= factor * b[k];
-    }
-  }
-  for (std::size_t k = unknowns; k-- > 0;) {
-    Real sum = b[k];
-    for (std::size_t c = k + 1; c < unknowns; ++c) {
-      sum -= a[k][c] * x[c];
-    }
-    x[k] = sum / a[k][k];
-  }
-  return true;
 }
 
 /// Sums over one line of e = exp(-dx^2 / 2 s^2) and the rest r = light - model, with powers of dx.

@@ -95,6 +95,43 @@ TEST(Detect, separates_particles_that_touch) {
   EXPECT_LT(a.rmse, 0.12);
 }
 
+/// Pairs at 1.8 to 2.5 standard deviations of their images, where the sum has one maximum or hardly two.
+TEST(Detect, tells_apart_what_has_one_maximum) {
+  Microscope m = square();
+  m.snr = 20;
+  std::vector<Seen> seen;
+  for (int i = 0; i < 40; ++i) {
+    const Real x = 30 + 60.0 * (i % 8);
+    const Real y = 40 + 90.0 * (i / 8);
+    seen.push_back({x, y, 0, 4});
+    if (i % 3 == 0) {
+      const Real apart = 3.4 + 0.03 * i;
+      seen.push_back({x + apart * std::cos(0.3 * i), y + apart * std::sin(0.3 * i), 0, 4});
+    }
+  }
+  Known k;
+  k.frames.push_back(expose(m, still_light(m, {}), seen, 0));
+  for (const Seen& p : seen) {
+    k.truth.push_back({{0, p.x, p.y}});
+  }
+  const Agreement a = agreement(k, estimate(k.frames, {}, {}));
+  EXPECT_EQ(a.jaccard, 1);
+  EXPECT_LT(a.rmse, 0.25);
+}
+
+/// One particle of twice the diameter among the others stays one.
+TEST(Detect, leaves_large_particles_whole) {
+  Microscope m = square();
+  m.snr = 20;
+  std::vector<Seen> seen;
+  for (int i = 0; i < 40; ++i) {
+    const Real x = 30 + 60.0 * (i % 8);
+    seen.push_back({x, 40 + 90.0 * (i / 8), 0, i % 10 == 0 ? 8.0 : 4.0});
+  }
+  const cv::Mat frame = expose(m, still_light(m, {}), seen, 0);
+  EXPECT_EQ(detect(frame, {}, estimate(std::vector<cv::Mat>{frame}, {}, {})).size(), seen.size());
+}
+
 TEST(Detect, agrees_whichever_way_centres_are_found) {
   const Known k = known(square(), 2, 50);
   DetectWishes wishes;
