@@ -167,7 +167,7 @@ BENCHMARK(vision_results)->Unit(benchmark::kMillisecond);
 
 /// porefines track from a motion-JPEG file to all of its results; argument: with annotated.avi.
 void vision_track(benchmark::State& state) {
-  constexpr int length = 300;
+  constexpr int length = 400;
   const Scratch scratch;
   TrackRequest request;
   request.video = video(scratch.path, length);

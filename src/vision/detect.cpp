@@ -160,13 +160,16 @@ std::vector<Spot> detect(const cv::Mat& frame, const Still& still, const DetectS
     }
   }
   std::erase_if(spots, [&](const Spot& spot) { return spot.mass < s.least_mass; });
-  if (s.centre == Centre::gaussian) {
-    spots = thinned(std::move(spots), s.separation);
-    fit_gaussians(light, spots, s.diameter);
+  if (s.centre != Centre::gaussian) {
+    return thinned(std::move(spots), s.separation);
   }
-  spots = thinned(std::move(spots), s.separation);
   constexpr Real usual = 0.61;  // [diameters] who asks for more wants no pairs
-  if (s.centre == Centre::gaussian && s.separation <= usual * s.diameter) {
+  const bool pairs = s.separation <= usual * s.diameter;
+  const Real separation = pairs ? 0.75 * s.separation : s.separation;
+  spots = thinned(std::move(spots), separation);
+  fit_gaussians(light, spots, s.diameter);
+  spots = thinned(std::move(spots), separation);
+  if (pairs) {
     split_pairs(light, spots, s.diameter);
   }
   return spots;

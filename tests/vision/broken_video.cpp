@@ -86,24 +86,6 @@ TEST_F(BrokenVideo, truncated_file) {
   EXPECT_NE(said_.find("24 frames"), std::string::npos) << said_;
 }
 
-TEST_F(BrokenVideo, size_changes_in_a_stream) {
-  std::string stream;  // motion JPEG without a container
-  int f = 0;
-  for (const auto& [width, height] : {std::pair{96, 64}, {64, 48}}) {
-    for (const cv::Mat& frame : film(width, height)) {
-      std::vector<unsigned char> jpeg;
-      cv::imencode(".jpg", frame, jpeg);
-      stream.append(jpeg.begin(), jpeg.end());
-      ++f;
-    }
-  }
-  write_file(folder_ / "v.mjpeg", stream);
-  EXPECT_EQ(track_file("v.mjpeg", {"video.frame_rate=10 Hz"}), 2);
-  EXPECT_EQ(last_frame(10), frames - 1);
-  EXPECT_NE(said_.find("frame 24: 64 x 48 pixels, not 96 x 64 as the first"), std::string::npos)
-      << said_;
-}
-
 TEST_F(BrokenVideo, no_frames_a_second) {
   EXPECT_THROW((void)track_file("v.avi", {"video.frame_rate=0 Hz"}), InputError);
 }
