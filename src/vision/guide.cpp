@@ -21,11 +21,11 @@ struct Displacements {
   cv::Mat counts;   // [float]
   Real starts = 0;  // particles that pairs started from
 
-  Displacements(Real range_, Real bin_)
-      : range(range_),
-        bin(bin_),
-        counts(2 * static_cast<int>(std::ceil(range_ / bin_)) + 1,
-               2 * static_cast<int>(std::ceil(range_ / bin_)) + 1, CV_32F, cv::Scalar(0)) {}
+  Displacements(Real reach, Real width)
+      : range(reach),
+        bin(width),
+        counts(2 * static_cast<int>(std::ceil(reach / width)) + 1,
+               2 * static_cast<int>(std::ceil(reach / width)) + 1, CV_32F, cv::Scalar(0)) {}
 
   void add(const cv::Point2d& d) {
     const int middle = counts.rows / 2;
