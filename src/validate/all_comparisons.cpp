@@ -7,6 +7,7 @@ std::vector<Comparison> all_comparisons(bool quick) {
   std::vector<Comparison> list;
   add_permeability(list);
   add_contact(list);
+  add_spheres(list);
   add_chip(list);
   add_microscope(list);
   add_cylinder(list, quick);

@@ -78,7 +78,8 @@ struct Comparison {
 
 // One function per file list_*.cpp.
 void add_permeability(std::vector<Comparison>& list);          ///< references.md A1, A2, A3, A5
-void add_contact(std::vector<Comparison>& list);               ///< references.md C, B3
+void add_contact(std::vector<Comparison>& list);               ///< references.md C
+void add_spheres(std::vector<Comparison>& list);               ///< references.md B3
 void add_cylinder(std::vector<Comparison>& list, bool quick);  ///< thesis table 1, references.md A4
 void add_microscope(std::vector<Comparison>& list);            ///< thesis figs. 17 to 19
 void add_chip(std::vector<Comparison>& list);                  ///< thesis table 2

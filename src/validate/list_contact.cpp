@@ -98,50 +98,12 @@ Comparison impact() {
 }
 
 /// A sphere of 8 cells in a slit with H/a = 8, carried by the peak of Poiseuille's flow.
-Comparison free_sphere() {
-  const std::string text = R"(title = "A free sphere in a slit, H/a = 8"
-[run]
-end_time = "10 ms"
-[geometry]
-kind = "empty"
-size = ["60 um", "40 um", "20 um"]
-[grid]
-cells = [96, 64, 32]
-[fluid]
-density = "1050 kg/m^3"
-viscosity = "1 mPa s"
-[flow]
-periodic = ["x", "y"]
-pressure_gradient = ["2e4 Pa/m", "0 Pa/m", "0 Pa/m"]
-walls = ["z-", "z+"]
-[[particles]]
-source = "fine.csv"
-density = "1050 kg/m^3"
-[[output]]
-kind = "tracks"
-every = "2 ms"
-)";
-  constexpr Real peak = 2e4 * 20e-6 * 20e-6 / (8 * 1e-3);  // G h^2 / (8 mu)
-  return {
-      .name = "free_sphere",
-      .title = "A fine carried between the plates of a chip",
-      .quantity = "speed over the peak of the clean flow",
-      .reference = "references.md B3: free of force and torque in Poiseuille flow, H/a = 8, centre",
-      .jobs = {{.name = "centre",
-                .case_text = text,
-                .files = {{"fine.csv", "x_m,y_m,z_m,diameter_m\n20e-6,20e-6,10e-6,5e-6\n"}}}},
-      .rows = {{.label = "centre, 8 cells per diameter",
-                .source = FromTracks{0, "u_m_s", Measure::last, 1 / peak},
-                .reference = 0.97903,
-                .tolerance = 0.01}}};
-}
 
 }  // namespace
 
 void add_contact(std::vector<Comparison>& list) {
   list.push_back(incline());
   list.push_back(impact());
-  list.push_back(free_sphere());
 }
 
 }  // namespace porefines::validate
