@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MPL-2.0
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "validate/comparison.hpp"
@@ -39,7 +41,7 @@ kind = "tracks"
 every = "2 ms"
 )",
                               fmt::arg("gap", gap), fmt::arg("height", h * 1e6),
-                              fmt::arg("cells", static_cast<int>(h / cell + 0.5)));
+                              fmt::arg("cells", std::lround(h / cell)));
   job.files = {{"fine.csv", fmt::format("x_m,y_m,z_m,diameter_m\n20e-6,20e-6,{:.10g},5e-6\n",
                                         height * diameter / 2)}};
   return job;
