@@ -40,6 +40,9 @@ Inspection from_case(const InspectArguments& arguments) {
 Inspection from_image(const InspectArguments& arguments) {
   Inspection out;
   out.spec.source = arguments.input;
+  if (!std::filesystem::exists(arguments.input)) {
+    throw InputError(arguments.input + ": there is no such file or folder");
+  }
   if (arguments.pixel_size.empty()) {
     throw InputError(arguments.input +
                      ": the image does not say how large a pixel is; add --pixel-size \"2 um\"");

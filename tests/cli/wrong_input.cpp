@@ -56,6 +56,10 @@ TEST_F(WrongInput, no_such_file) {
       "porefines: boxx.toml: cannot be read; the first argument is a case file in TOML\n");
 }
 
+TEST_F(WrongInput, no_such_picture) {
+  expect_refused({"inspect", "rokc.png"}, "porefines: rokc.png: there is no such file or folder\n");
+}
+
 TEST_F(WrongInput, a_wrong_key_in_the_file) {
   write_file(folder_ / "bad.toml", "[grid]\ncell_sise = \"1 um\"\n");
   expect_refused({"run", "bad.toml"},
