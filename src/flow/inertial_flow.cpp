@@ -142,6 +142,31 @@ void InertialFlow::find_guess(Real ratio) {
   }
 }
 
+/// Where no face gives a pressure its mean is nobody's: without this the guess lets it drift for ever.
+void InertialFlow::level_pressure() {
+  const auto& kinds = parts_.boundaries.kind;
+  if (std::any_of(kinds.begin(), kinds.end(), gives_pressure)) {
+    return;
+  }
+  const Level& level = parts_.hierarchy.finest();
+  Packed<double>& x = parts_.unknowns;
+  std::vector<Real> sums(2, 0);  // of the pressure, of cells
+  const auto for_cells = [&](const auto& visit) {
+    parts_.equations.for_each([&](int c, int i, int j, int k, std::size_t at) {
+      if (c == 3 && level.push[level.block.at(i, j, k)] != 0) {
+        visit(at);
+      }
+    });
+  };
+  for_cells([&](std::size_t at) {
+    sums[0] += x[at];
+    sums[1] += 1;
+  });
+  parts_.comm.sum(sums);
+  const Real mean = sums[1] > 0 ? sums[0] / sums[1] : 0;
+  for_cells([&](std::size_t at) { x[at] -= mean; });
+}
+
 /// Rows and inlets of a drive, anew where it changed.
 void InertialFlow::show_drive(const Drive& drive) {
   if (!drive_ || !(*drive_ == drive)) {
@@ -169,6 +194,7 @@ StepReport InertialFlow::advance(Real step, const Drive& drive, const StepOption
   show_drive(drive);
   place_spheres(a, ratio);
   const StepReport report = solve(rows_, options);
+  level_pressure();
   find_motions();
   if (scheme_in_time_ == TimeScheme::midpoint) {
     Packed<double>& x = parts_.unknowns;

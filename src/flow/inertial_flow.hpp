@@ -131,6 +131,7 @@ class InertialFlow {
   void weigh_inlets();
   void set_weight(Real weight);
   void find_guess(Real ratio);
+  void level_pressure();
   void show_drive(const Drive& drive);
   void drop_directions(std::size_t most);
   void find_residual(const Packed<float>& b);

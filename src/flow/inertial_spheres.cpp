@@ -98,7 +98,8 @@ void InertialFlow::place_spheres(const std::array<Real, 3>& a, Real ratio) {
     for (const std::uint32_t at : cells) {
       const Int3 cell = all.cover().index_of(at);
       if (level.owns(3, cell)) {
-        x[op.position(3, cell)] = level.push[at] != 0 ? level.p[at] : 0;
+        const auto here = op.position(3, cell);
+        x[here] = old_[here] = level.push[at] != 0 ? level.p[at] : 0;
       }
     }
   };
