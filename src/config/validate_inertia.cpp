@@ -57,8 +57,11 @@ void check_outputs(const Case& subject, const Node& given) {
 /// What particles in such a flow do without.
 void check_with_particles(const Case& subject, const Node& given) {
   const Inertia& asked = subject.inertia;
+  constexpr Real most_travel = 0.5;  // faces that a sphere leaves remember one layer
   for (const auto& [path, said, why] :
-       {std::tuple{"flow.steady", asked.steady, "particles move: take an end_time"},
+       {std::tuple{"coupling.travel", subject.coupling.travel > most_travel,
+                   "with inertia at most 0.5 cells a step: longer ones are wrong, not only coarse"},
+        {"flow.steady", asked.steady, "particles move: take an end_time"},
         {"flow.time_scheme", asked.time_scheme == TimeScheme::midpoint,
          "spheres need \"bdf2\" or \"euler\""},
         {"flow.disturbance", asked.disturbance > 0, "particles disturb the flow themselves"},
@@ -112,10 +115,11 @@ void check_inertial(const Case& subject, const Node& given) {
   }
   for (const auto& [name, opening] :
        {std::pair{"inlet", &subject.flow.inlet}, {"outlet", &subject.flow.outlet}}) {
-    if (*opening && (*opening)->kind == DriveKind::flow_rate) {
+    if (*opening && (*opening)->kind == DriveKind::flow_rate && subject.flow.reservoir == 0 &&
+        subject.geometry.kind != GeometryKind::empty) {
       fail(place_of(given, fmt::format("flow.{}.flow_rate", name)),
-           "is not available with \"navier-stokes\" in this version",
-           "give a velocity: the rate over the area of the opening");
+           "needs open fluid before the grains: it enters evenly over the face",
+           "leave flow.reservoir out, or give a velocity");
     }
   }
   if (subject.inertia.lid) {

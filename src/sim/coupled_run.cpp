@@ -13,6 +13,7 @@
 #include "sim/dry_results.hpp"
 #include "sim/ending.hpp"
 #include "sim/grains.hpp"
+#include "sim/inertial_setup.hpp"
 #include "sim/pictures.hpp"
 #include "sim/prepare.hpp"
 #include "sim/results.hpp"
@@ -147,8 +148,10 @@ int run_coupled_case(const config::Case& the_case, const RunOptions& options,
   const Domain& domain = prepared.domain;
   flow::StokesSolver solver(comm, prepared.cut, domain.spacing, domain.boundaries,
                             the_case.fluid.viscosity);
-  Scene scene = set_scene(the_case, prepared, solver, provenance, comm, watch, *log);
-  const config::Case boxed = with_box_of_flow(the_case);
+  const config::Case told =
+      config::is_inertial(the_case) ? with_velocities(the_case, domain) : the_case;
+  Scene scene = set_scene(told, prepared, solver, provenance, comm, watch, *log);
+  const config::Case boxed = with_box_of_flow(told);
   CoupledRun run = make_coupled_run(boxed, prepared.sample, domain, prepared.cut, solver,
                                     scene.clean, scene.facts.porosity.connected, comm);
   begin(run, options, *log);

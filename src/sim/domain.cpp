@@ -91,11 +91,16 @@ flow::FaceKind kind_of(const config::Flow& flow, BoxFace face) {
   return flow.slip[at] ? flow::FaceKind::slip : flow::FaceKind::wall;
 }
 
-/// What inertia changes: fluid leaves with its vortices, and a wall may move.
+/// What inertia changes: fluid leaves with its vortices, a rate enters evenly, and a wall may move.
 flow::FaceKind kind_of(const config::Case& the_case, BoxFace face) {
   const flow::FaceKind kind = kind_of(the_case.flow, face);
   if (!config::is_inertial(the_case)) {
     return kind;
+  }
+  for (const auto& opening : {the_case.flow.inlet, the_case.flow.outlet}) {
+    if (opening && opening->face == face && opening->kind == config::DriveKind::flow_rate) {
+      return flow::FaceKind::velocity;  // see with_velocities()
+    }
   }
   const auto& lid = the_case.inertia.lid;
   if (lid && lid->face == face) {

@@ -12,6 +12,7 @@
 #include "sim/grains.hpp"
 #include "sim/inertial_checkpoint.hpp"
 #include "sim/inertial_output.hpp"
+#include "sim/inertial_setup.hpp"
 #include "sim/pictures.hpp"
 #include "sim/prepare.hpp"
 #include "sim/results.hpp"
@@ -134,7 +135,8 @@ int run_inertial_case(const config::Case& the_case, const RunOptions& options,
   flow::StokesSolver solver(comm, prepared.cut, domain.spacing, domain.boundaries,
                             the_case.fluid.viscosity);
   const std::vector<float> solid = set_up(solver, the_case, prepared, comm);
-  InertialRun run = make_inertial_run(the_case, prepared.sample, domain, solver, comm);
+  const config::Case told = with_velocities(the_case, domain);
+  InertialRun run = make_inertial_run(told, prepared.sample, domain, solver, comm);
   log->info("set-up     {:.2g} s", watch.seconds());
   if (options.restart) {
     go_on(run, folder);

@@ -45,6 +45,16 @@ InertialDrive inertial_drive(const config::Case& the_case) {
   return out;
 }
 
+config::Case with_velocities(config::Case the_case, const Domain& domain) {
+  for (auto* opening : {&the_case.flow.inlet, &the_case.flow.outlet}) {
+    if (*opening && (*opening)->kind == config::DriveKind::flow_rate) {
+      (*opening)->kind = config::DriveKind::velocity;
+      (*opening)->value /= domain.area();
+    }
+  }
+  return the_case;
+}
+
 Push push_of(const Domain& domain, const flow::Drive& drive) {
   Push push;
   push.force = norm(drive.force);

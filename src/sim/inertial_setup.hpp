@@ -16,6 +16,10 @@ struct InertialDrive {
 };
 [[nodiscard]] InertialDrive inertial_drive(const config::Case& the_case);
 
+/// Flow rates as the velocity that they have over the whole face; with inertia no flow can be scaled to a rate.
+/// Test: cli/inertial.
+[[nodiscard]] config::Case with_velocities(config::Case the_case, const Domain& domain);
+
 /// [m/s] given at a face, and [Pa/m] that pushes the fluid.
 struct Push {
   Real speed = 0;

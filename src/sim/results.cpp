@@ -93,6 +93,8 @@ Json summarise(const config::Case& the_case, const geom::Sample& sample, const D
   json.set("flux_variation", flow.flux_variation);
   json.set("reynolds", reynolds(the_case, flow, facts.porosity.connected, domain));
   add_drag(json, the_case, sample, domain, flow);
+  json.set("fluid_density_kg_m3", the_case.fluid.density);
+  json.set("fluid_viscosity_pa_s", the_case.fluid.viscosity);
   json.set("length_m", domain.length());
   json.set("area_m2", domain.area());
   json.set("cell_size_m", domain.spacing.x);

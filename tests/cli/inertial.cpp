@@ -101,13 +101,23 @@ TEST_F(Inertial, finds_the_steady_flow) {
   EXPECT_TRUE(std::filesystem::exists(folder_ / "out/speed.png"));
 }
 
+/// 0.05 m/s through 1.2 mm x 25 um.
+TEST_F(Inertial, keeps_a_flow_rate) {
+  const auto found = run({"-o", "out", "flow.steady=true", "flow.reservoir=0.1 mm",
+                          "flow.inlet={ face = \"x-\", flow_rate = \"1.5e-9 m^3/s\" }"});
+  ASSERT_EQ(found.exit_code, 0) << found.output;
+  EXPECT_NEAR(number(text("out/summary.json"), "flow_rate_m3_s") / 1.5e-9, 1, 1e-5);
+  EXPECT_NEAR(number(text("out/summary.json"), "reynolds_body"), 10, 1e-6);
+}
+
 TEST_F(Inertial, says_what_it_cannot_do) {
   const auto refused = [&](const std::string& change) {
     const auto result = run({"-o", "out", change});
     EXPECT_EQ(result.exit_code, 2) << result.output;
     return result.output;
   };
-  EXPECT_NE(refused("flow.inlet.flow_rate=1 mL/s").find("give a velocity"), std::string::npos);
+  EXPECT_NE(refused("flow.inlet={ face = \"x-\", flow_rate = \"1 mL/s\" }").find("give a velocity"),
+            std::string::npos);
   EXPECT_NE(refused("flow.courant=100").find("courant"), std::string::npos);
 }
 
