@@ -148,6 +148,7 @@ struct Coupling {
   CouplingMethod method = CouplingMethod::one_solve;
   Real tolerance = 1e-4;  ///< relative residual of the solves after the first
   Real travel = 0.5;      ///< [cells] that the fastest particle may move in a step
+  Real roughness = 0;     ///< [m] smallest gap that lubrication knows; 0: a hundredth of the radius
   friend bool operator==(const Coupling&, const Coupling&) = default;
 };
 

@@ -180,6 +180,9 @@ std::vector<Key> flow_keys() {
   keys.push_back(quantity_key("coupling.travel", &Case::coupling, &Coupling::travel, kind::number,
                               Range{1e-3, 1}, "",
                               "cells that the fastest particle may move in a step"));
+  keys.push_back(quantity_key("coupling.roughness", &Case::coupling, &Coupling::roughness,
+                              kind::length, above_zero, "a hundredth of the smaller radius",
+                              "smallest gap that lubrication knows, the height of asperities"));
   return keys;
 }
 

@@ -89,6 +89,9 @@ class InertialFlow {
   [[nodiscard]] Real time() const { return time_; }
   /// [1/s] largest sum over axes of mean |u|/h in a cell: times a step, its Courant number. Collective.
   [[nodiscard]] Real crossing_rate();
+  /// [1/s] fastest |V.n|/gap across narrow gaps whose impact has a Stokes number above 1, by the motions and
+  /// places of the last step; gaps and overlaps count with the height of roughness at least. Collective.
+  [[nodiscard]] Real closing_rate() const;
   /// [J] rho/2 sum W u^2 over all faces, times the volume of a cell. Collective.
   [[nodiscard]] Real kinetic_energy() const;
 

@@ -79,7 +79,8 @@ void InertialFlow::place_spheres(const std::array<Real, 3>& a, Real ratio) {
   Level& level = parts_.hierarchy.finest();
   Packed<double>& x = parts_.unknowns;
   RigidSpheres& all = *solver_.spheres_;
-  all.place(heavy_balls(a, ratio), solver_.scaled_walls(), solver_.roughness_ / parts_.spacing.x);
+  all.place(heavy_balls(a, ratio), solver_.scaled_walls(), solver_.roughness_ / parts_.spacing.x,
+            inertia_ / weight_);
   op.attach(&all);
   beside_.place(all);
   const std::size_t fluid = op.fluid_size();
@@ -141,6 +142,19 @@ void InertialFlow::find_motions() {
     x[op.position(q.face.component, all.cover().index_of(q.face.at))] = velocity;
   });
   extend_history();
+}
+
+/// Below a Stokes number of 1 the liquid stops the approach by itself.
+Real InertialFlow::closing_rate() const {
+  Real rate = 0;
+  if (const RigidSpheres* all = spheres()) {
+    for (const Lubrication& q : all->gaps()) {
+      if (all->impact(q) * inertia_ / weight_ > 1) {
+        rate = std::max(rate, all->closing_speed(q) / std::max(std::abs(q.gap), q.least));
+      }
+    }
+  }
+  return parts_.comm.max(rate) * velocity_unit() / parts_.spacing.x;
 }
 
 /// Faces that the spheres may leave next: the fluid's velocity, extended under the surface.

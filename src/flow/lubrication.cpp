@@ -89,6 +89,8 @@ Lubrication make(int first, int second, const Vec3& normal, Real gap, Real a, Re
           second < 0 ? 0 : b,
           6 * pi * reduced * reduced * missing_squeeze(g, second < 0),
           pi * (second < 0 ? a : 2 * reduced) * log,
+          gap,
+          least,
           gap < 0};
 }
 

@@ -43,6 +43,8 @@ struct Lubrication {
   Real radius_second = 0;
   Real squeeze = 0;  ///< 6 pi a_r^2 f
   Real shear = 0;    ///< pi a L
+  Real gap = 0;      ///< negative where they overlap
+  Real least = 0;    ///< height of roughness
   bool touching = false;
 };
 

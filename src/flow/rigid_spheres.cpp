@@ -2,6 +2,7 @@
 #include "flow/rigid_spheres.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace porefines::flow {
 
@@ -14,18 +15,39 @@ RigidSpheres::RigidSpheres(const par::Communicator& comm, Operator& op, Friction
       set_(comm, level_.decomposition, spacing, boundaries, level_.block) {}
 
 void RigidSpheres::place(std::span<const Ball> owned, std::span<const WallGap> walls,
-                         Real roughness) {
+                         Real roughness, Real inertia) {
   cover_.lift();
   set_.distribute(owned);
   cover_.place(set_);
-  gaps_ = find_lubrication(set_, level_.block, walls, roughness);
-  find_blocks();
   motion_.clear();
-  force_.assign(set_.size(), {});
-  row_.assign(set_.size(), {});
   for (const Ball& ball : set_.balls()) {
     motion_.push_back(ball.motion);
   }
+  gaps_ = find_lubrication(set_, level_.block, walls, roughness);
+  for (Lubrication& gap : gaps_) {
+    gap.squeeze *= gap.touching && inertia * impact(gap) > 1 ? 0 : 1;
+  }
+  find_blocks();
+  force_.assign(set_.size(), {});
+  row_.assign(set_.size(), {});
+}
+
+Real RigidSpheres::closing_speed(const Lubrication& gap) const {
+  const auto along = [&](int ball) {
+    const Six& v = motion_[ball];
+    return v[0] * gap.normal.x + v[1] * gap.normal.y + v[2] * gap.normal.z;
+  };
+  return std::abs(along(gap.first) - (gap.second < 0 ? 0 : along(gap.second)));
+}
+
+Real RigidSpheres::impact(const Lubrication& gap) const {
+  const Real a = gap.radius_first;
+  const Real b = gap.radius_second;
+  const Real one = set_.balls()[gap.first].mass;
+  const Real two = gap.second < 0 ? 0 : set_.balls()[gap.second].mass;
+  const Real mass = gap.second < 0 ? one : one * two / (one + two);
+  const Real reduced = gap.second < 0 ? a : a * b / (a + b);
+  return mass > 0 ? mass * closing_speed(gap) / (6 * M_PI * reduced * reduced) : 0;
 }
 
 /// N = sum r r^T over covered faces and the diagonal block

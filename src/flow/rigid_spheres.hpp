@@ -40,12 +40,19 @@ class RigidSpheres {
   /// New places: covers faces and cuts links, and gives back the former ones. Collective.
   /// @param walls      gaps near owned balls, in fine cells
   /// @param roughness  smallest gap, in fine cells; 0: a hundredth of the smaller radius
-  void place(std::span<const Ball> owned, std::span<const WallGap> walls, Real roughness = 0);
+  /// @param inertia    what impact() is a Stokes number by; where it is above 1, a touch is dry
+  void place(std::span<const Ball> owned, std::span<const WallGap> walls, Real roughness = 0,
+             Real inertia = 0);
   /// The grid without spheres again.
   void lift() { cover_.lift(); }
 
   [[nodiscard]] const SphereSet& set() const { return set_; }
   [[nodiscard]] const SphereCover& cover() const { return cover_; }
+  /// m V.n/(6 pi a_r^2) across a gap, m being the reduced mass over the time step.
+  [[nodiscard]] Real impact(const Lubrication& gap) const;
+  [[nodiscard]] Real closing_speed(const Lubrication& gap) const;  ///< |V.n|
+  /// Narrow gaps that this rank counts.
+  [[nodiscard]] const std::vector<Lubrication>& gaps() const { return gaps_; }
   [[nodiscard]] std::size_t tail() const { return 8 * ((set_.owned() + 1) / 2 * 2); }
   [[nodiscard]] static std::size_t tail_of(std::size_t ball) { return 8 * ball; }
 

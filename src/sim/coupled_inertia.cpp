@@ -168,6 +168,7 @@ void start_inertia(CoupledRun& run) {
 
 Real choose_inertial_step(const CoupledRun& run) {
   constexpr Real growth = 1.2;
+  constexpr Real share = 0.5;  // of a gap that may close in a step
   const config::Inertia& asked = run.the_case.inertia;
   const Vec3& h = run.domain.spacing;
   const Real way = run.the_case.coupling.travel * std::min({h.x, h.y, h.z});
@@ -186,6 +187,7 @@ Real choose_inertial_step(const CoupledRun& run) {
   }
   rate = run.comm().max(rate);
   rate = std::max(rate, run.inertial->crossing_rate() / asked.courant);
+  rate = std::max(rate, run.inertial->closing_rate() / share);
   const Real last = run.particles.state.step;
   const Real left = next_sample(run.particles) - run.time();
   Real longest = rate * left > 1 ? 1 / rate : left;

@@ -148,6 +148,7 @@ int run_coupled_case(const config::Case& the_case, const RunOptions& options,
   const Domain& domain = prepared.domain;
   flow::StokesSolver solver(comm, prepared.cut, domain.spacing, domain.boundaries,
                             the_case.fluid.viscosity);
+  solver.set_roughness(the_case.coupling.roughness);
   const config::Case told =
       config::is_inertial(the_case) ? with_velocities(the_case, domain) : the_case;
   Scene scene = set_scene(told, prepared, solver, provenance, comm, watch, *log);

@@ -20,15 +20,15 @@ TEST(ForchheimerSweep, darcy_and_the_cubic_law_of_a_square_array) {
   solver.set_surface([&](const Vec3& x) { return std::hypot(x.x - 0.5, x.y - 0.5) - radius; });
   flow::InertialFlow flow(solver, 1.0, flow::Scheme::linear, flow::TimeScheme::euler, 10);
   std::vector<analysis::SweepPoint> points;
-  for (const Real gradient : {50.0, 100.0, 170.0, 260.0, 1100.0}) {
+  for (const Real gradient : {50.0, 100.0, 170.0, 260.0}) {
     const auto report = flow.settle({.force = {gradient, 0, 0}}, {.tolerance = 1e-6}, 60);
     EXPECT_TRUE(report.converged) << gradient;
     EXPECT_LE(report.cycles, 120) << gradient;
     points.push_back({solver.superficial_velocity().x, gradient});
   }
   const auto fit = analysis::fit_inertia(points, {1, 1});
-  std::printf("[ measured ] k %.5f of the exact one, exponent %.3f, 5 %% at Re %.3f\n",
-              fit.permeability.value * 51.527, fit.exponent.value, fit.darcy_end_reynolds);
+  std::printf("[ measured ] k %.5f of the exact one, exponent %.3f\n",
+              fit.permeability.value * 51.527, fit.exponent.value);
   EXPECT_EQ(fit.slow, 4);
   EXPECT_NEAR(fit.permeability.value * 51.527, 1, 0.005);
   EXPECT_NEAR(fit.exponent.value, 2, 0.1);
