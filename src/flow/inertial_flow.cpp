@@ -196,6 +196,7 @@ StepReport InertialFlow::advance(Real step, const Drive& drive, const StepOption
   const StepReport report = solve(rows_, options);
   level_pressure();
   find_motions();
+  find_closing_rate();
   if (scheme_in_time_ == TimeScheme::midpoint) {
     Packed<double>& x = parts_.unknowns;
     for (std::size_t line = 0; line < old_.size(); line += packed_width) {
@@ -290,7 +291,8 @@ void InertialFlow::from_cells(const std::vector<Real>& cells, Packed<double>& x)
 }
 
 InertialFlow::Memory InertialFlow::remember() const {
-  return {of_cells(parts_.unknowns), of_cells(old_), time_, last_step_, built_, states_};
+  return {
+      of_cells(parts_.unknowns), of_cells(old_), time_, last_step_, built_, closing_rate_, states_};
 }
 
 void InertialFlow::recall(const Memory& memory, std::span<const Sphere> spheres) {
@@ -299,6 +301,7 @@ void InertialFlow::recall(const Memory& memory, std::span<const Sphere> spheres)
   from_cells(memory.old, old_);
   time_ = memory.time;
   last_step_ = memory.step;
+  closing_rate_ = memory.closing;
   states_ = memory.states;
   if (memory.built > 0) {
     set_weight(memory.built);  // the coarse levels are those of this weight

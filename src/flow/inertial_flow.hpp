@@ -90,8 +90,8 @@ class InertialFlow {
   /// [1/s] largest sum over axes of mean |u|/h in a cell: times a step, its Courant number. Collective.
   [[nodiscard]] Real crossing_rate();
   /// [1/s] fastest |V.n|/gap across narrow gaps whose impact has a Stokes number above 1, by the motions and
-  /// places of the last step; gaps and overlaps count with the height of roughness at least. Collective.
-  [[nodiscard]] Real closing_rate() const;
+  /// places of the last step; gaps and overlaps count with the height of roughness at least.
+  [[nodiscard]] Real closing_rate() const { return closing_rate_; }
   /// [J] rho/2 sum W u^2 over all faces, times the volume of a cell. Collective.
   [[nodiscard]] Real kinetic_energy() const;
 
@@ -101,9 +101,10 @@ class InertialFlow {
   struct Memory {
     std::vector<Real> now, old;
     Real time = 0;
-    Real step = 0;   ///< of the last step
-    Real built = 0;  ///< weight that the coarse levels stand for
-    int states = 0;  ///< known
+    Real step = 0;     ///< of the last step
+    Real built = 0;    ///< weight that the coarse levels stand for
+    Real closing = 0;  ///< closing_rate()
+    int states = 0;    ///< known
   };
   [[nodiscard]] Memory remember() const;
   /// @param spheres  of the last step, where they were. Collective.
@@ -128,6 +129,7 @@ class InertialFlow {
   void put_back_spheres();
   void place_spheres(const std::array<Real, 3>& a, Real ratio);
   void find_motions();
+  void find_closing_rate();
   void show_covered(FaceVelocity& u) const;
   void extend_history();
   [[nodiscard]] RigidSpheres* spheres() const { return parts_.equations.spheres(); }
@@ -184,6 +186,7 @@ class InertialFlow {
   Packed<float> rows_;  ///< right-hand side of the step
   Real time_ = 0;
   Real last_step_ = 0;
+  Real closing_rate_ = 0;
   int states_ = 1;  ///< known times, the present one included
 };
 

@@ -145,7 +145,7 @@ void InertialFlow::find_motions() {
 }
 
 /// Below a Stokes number of 1 the liquid stops the approach by itself.
-Real InertialFlow::closing_rate() const {
+void InertialFlow::find_closing_rate() {
   Real rate = 0;
   if (const RigidSpheres* all = spheres()) {
     for (const Lubrication& q : all->gaps()) {
@@ -154,7 +154,7 @@ Real InertialFlow::closing_rate() const {
       }
     }
   }
-  return parts_.comm.max(rate) * velocity_unit() / parts_.spacing.x;
+  closing_rate_ = parts_.comm.max(rate) * velocity_unit() / parts_.spacing.x;
 }
 
 /// Faces that the spheres may leave next: the fluid's velocity, extended under the surface.

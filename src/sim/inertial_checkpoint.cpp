@@ -11,7 +11,7 @@ namespace {
 /// Calls visit(number) for every number of the state, in a fixed order.
 template <typename Memory, typename Visit>
 void for_memory(Memory& m, const Visit& visit) {
-  visit(m.time), visit(m.step), visit(m.built);
+  visit(m.time), visit(m.step), visit(m.built), visit(m.closing);
 }
 
 template <typename State, typename Visit>
