@@ -29,7 +29,8 @@ namespace porefines::sim {
 /// falls or flows fastest allows. Collective.
 void start_inertia(CoupledRun& run);
 
-/// [s] until something has moved coupling.travel cells, half of a gap before a rebound has closed, the Courant number of the fluid is reached, or the
+/// [s] until something has moved coupling.travel cells, half of a gap before a rebound has closed, the
+/// Courant number of the fluid is reached, or the
 /// next sample is due. Collective.
 [[nodiscard]] Real choose_inertial_step(const CoupledRun& run);
 
