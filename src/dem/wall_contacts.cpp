@@ -93,7 +93,7 @@ void WallContacts::build(const Particles& p, Real skin, Real moved, const KeptCo
       anchors_.push_back({p.position[i], is_still_[part] != 0 ? trusted * gap : 0});
     }
   }
-  sights_.resize(candidates_.size());
+  sights_.resize(p.creeps ? candidates_.size() : 0);
   forget_sights();
 }
 

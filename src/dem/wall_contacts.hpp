@@ -117,7 +117,7 @@ class WallContacts {
   int length_;
   std::vector<Candidate> candidates_;
   std::vector<Anchor> anchors_;         ///< of every candidate
-  std::vector<Sights> sights_;          ///< of every candidate
+  std::vector<Sights> sights_;          ///< of every candidate, where particles creep
   std::vector<std::uint8_t> is_still_;  ///< of every surface: it does not move
   std::vector<Entry> entries_;
   std::vector<Entry> next_;

@@ -141,6 +141,7 @@ class InertialFlow {
   void drop_directions(std::size_t most);
   void find_residual(const Packed<float>& b);
   void search(bool stalled, Real size);
+  void add_carriage(Direction& direction);
   Real descend(std::size_t most);
   StepReport solve(const Packed<float>& b, const StepOptions& options);
   /// Of a packed vector as a velocity: momentum counted by its diagonal.

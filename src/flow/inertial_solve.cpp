@@ -111,7 +111,9 @@ void InertialFlow::find_residual(const Packed<float>& b) {
     spheres()->load_motion(x.data() + op.fluid_size());
     show_covered(u_);
   }
-  advection_.apply(op, u_, carried_);
+  if (inertia_ != 0) {
+    advection_.apply(op, u_, carried_);
+  }
   if (spheres() != nullptr) {
     beside_.apply(*spheres(), u_, carried_);
   }
@@ -160,17 +162,25 @@ void InertialFlow::search(bool stalled, Real size) {
   cycle(parts_.hierarchy, load_sides, op.spheres());
   op.store_unknowns(newest.z);
   op.apply(newest.q);
-  z_.load(parts_.hierarchy.finest(), op, newest.z, {}, u_);
+  if (inertia_ != 0) {
+    add_carriage(newest);
+  }
+  kept_.push_back(std::move(newest));
+}
+
+/// What the direction carries and is carried by, to its image.
+void InertialFlow::add_carriage(Direction& direction) {
+  Operator& op = parts_.equations;
+  z_.load(parts_.hierarchy.finest(), op, direction.z, {}, u_);
   show_covered(z_);
   advection_.change(op, u_, z_, carried_);
   if (spheres() != nullptr) {
     beside_.change(*spheres(), u_, z_, carried_);
   }
   const auto inertia = static_cast<float>(inertia_);
-  for (std::size_t at = 0; at < newest.q.size(); ++at) {
-    newest.q[at] += inertia * carried_[at];
+  for (std::size_t at = 0; at < direction.q.size(); ++at) {
+    direction.q[at] += inertia * carried_[at];
   }
-  kept_.push_back(std::move(newest));
 }
 
 /// The oldest ones go; their memory stays for those to come.

@@ -121,14 +121,9 @@ void take_motions(CoupledRun& run, Real step) {
 }
 
 void advance_flow(CoupledRun& run, Real step) {
-  flow::StepOptions options;
-  options.tolerance = run.the_case.coupling.tolerance;
-  options.max_cycles = run.the_case.flow.max_cycles;
+  const flow::StepOptions options = step_options(run.the_case);
   const flow::StepReport report = run.inertial->advance(step, run.drive, options);
-  run.now.cycles = report.cycles;
-  run.now.residual = report.residual;
-  run.state.cycles += report.cycles;
-  ++run.state.solves;
+  count_solve(run, report.cycles, report.residual);
   if (!report.converged) {
     throw RunError(fmt::format(
         "the flow did not converge at {:.6g} s: residual {:.3g} after {} cycles, wanted {:.3g}\n"

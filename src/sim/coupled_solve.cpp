@@ -73,10 +73,7 @@ flow::Drive scaled(const flow::Drive& drive, Real factor) {
 /// @throws RunError  it did not converge
 template <typename Report>
 void take_note(CoupledRun& run, const Report& report, Real wanted) {
-  run.now.cycles += report.cycles;
-  run.now.residual = report.residual;
-  run.state.cycles += report.cycles;
-  ++run.state.solves;
+  count_solve(run, report.cycles, report.residual);
   if (!report.converged) {
     throw RunError(
         fmt::format("the solve at {:.6g} s {}: residual {:.3g} after {} cycles, wanted {:.3g}\n"
@@ -97,9 +94,7 @@ void solve_once(CoupledRun& run, const flow::Drive& drive) {
 /// A step of the fluid alone, then of rigid spheres. At the start, one in which the fluid moves as far as
 /// particles may.
 void project_once(CoupledRun& run, const flow::Drive& drive) {
-  flow::StepOptions options;
-  options.tolerance = run.the_case.coupling.tolerance;
-  options.max_cycles = run.the_case.flow.max_cycles;
+  const flow::StepOptions options = step_options(run.the_case);
   const Real step =
       run.cold ? run.the_case.coupling.travel / std::max(run.inertial->crossing_rate(), 1e-30)
                : run.particles.state.step;
@@ -110,6 +105,20 @@ void project_once(CoupledRun& run, const flow::Drive& drive) {
 }
 
 }  // namespace
+
+flow::StepOptions step_options(const config::Case& the_case) {
+  flow::StepOptions options;
+  options.tolerance = the_case.coupling.tolerance;
+  options.max_cycles = the_case.flow.max_cycles;
+  return options;
+}
+
+void count_solve(CoupledRun& run, int cycles, Real residual) {
+  run.now.cycles += cycles;
+  run.now.residual = residual;
+  run.state.cycles += cycles;
+  ++run.state.solves;
+}
 
 std::vector<flow::WallGap> walls_near(const CoupledRun& run) {
   const dem::System& system = run.particles.system;
@@ -172,13 +181,13 @@ void feed_inlets(CoupledRun& run) {
 }
 
 void solve_flow(CoupledRun& run) {
+  run.now.cycles = 0;
   if (config::is_inertial(run.the_case)) {
     solve_with_inertia(run);
     return;
   }
   constexpr Real pump_accuracy = 1e-3;
   const int most_turns = run.projection ? 1 : 3;  // a step of the fluid is made once
-  run.now.cycles = 0;
   for (int turn = 0; turn < most_turns; ++turn) {
     const flow::Drive drive = scaled(run.drive, run.state.drive_factor);
     if (run.projection) {

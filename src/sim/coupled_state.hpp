@@ -100,6 +100,12 @@ void solve_flow(CoupledRun& run);
 /// Moves the particles with the flow and against each other, overdamped (System::creep).
 void move_particles(CoupledRun& run, Real step);
 
+/// Tolerance and cycles of a step of the fluid with inertia, or of the explicit coupling.
+[[nodiscard]] flow::StepOptions step_options(const config::Case& the_case);
+
+/// Counts a solve of this step.
+void count_solve(CoupledRun& run, int cycles, Real residual);
+
 /// Grains and walls within a cell or so of the spheres of this rank.
 [[nodiscard]] std::vector<flow::WallGap> walls_near(const CoupledRun& run);
 

@@ -5,14 +5,13 @@
 #include <array>
 #include <cmath>
 
-#include "vision/elimination.hpp"
+#include "vision/levenberg_marquardt.hpp"
 
 namespace porefines::vision {
 namespace {
 
 constexpr std::size_t unknowns = 5;  // x0, y0, a, s, b
 using Vector = SmallVector<unknowns>;
-using Matrix = SmallMatrix<unknowns>;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -37,13 +36,9 @@ struct LineSums {
   Real rr = 0;
 };
 
-/// Normal equations J^T J, J^T r and r^T r of light = model at one Gaussian.
-class Equations {
+/// Those of one Gaussian, line by line.
+class Equations : public NormalEquations<unknowns> {
  public:
-  Matrix a{};
-  Vector b{};
-  Real squares = 0;
-
   void set(const Patch& p, const Gaussian& g) {
     bell(p.x, p.columns, g.x, g.width, across_);
     bell(p.y, p.lines(), g.y, g.width, down_);
@@ -166,30 +161,10 @@ Gaussian fit_gaussian(const Patch& patch, Gaussian g, Real usual_width) {
   constexpr Real at_rest = 2e-3;  // [pixels]
   thread_local Equations here;
   thread_local Equations there;
-  Real damping = 1e-3;
-  here.set(patch, g);
-  for (int step = 0; step < most_steps; ++step) {
-    Matrix damped = here.a;
-    for (std::size_t k = 0; k < unknowns; ++k) {
-      damped[k][k] *= 1 + damping;
-    }
-    Vector change{};
-    if (!solve(damped, here.b, change)) {
-      break;
-    }
-    const Gaussian next = moved(g, change, usual_width);
-    there.set(patch, next);
-    if (!(there.squares <= here.squares)) {
-      damping *= 10;
-      continue;
-    }
-    g = next;
-    std::swap(here, there);
-    damping *= 0.1;
-    if (std::hypot(change[0], change[1]) < at_rest) {
-      break;
-    }
-  }
+  descend(
+      g, here, there, most_steps, [&](const Gaussian& at, Equations& e) { e.set(patch, at); },
+      [&](const Gaussian& at, const Vector& change) { return moved(at, change, usual_width); },
+      [](const Vector& change, Real, Real) { return std::hypot(change[0], change[1]) < at_rest; });
   return g;
 }
 

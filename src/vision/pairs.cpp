@@ -6,14 +6,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "vision/elimination.hpp"
+#include "vision/levenberg_marquardt.hpp"
 
 namespace porefines::vision {
 namespace {
 
 constexpr std::size_t unknowns = 7;  // x1, y1, a1, x2, y2, a2, b
 using Vector = SmallVector<unknowns>;
-using Matrix = SmallMatrix<unknowns>;
+using Equations = NormalEquations<unknowns>;
 
 /// A pixel with the light that neighbours leave.
 struct Sample {
@@ -62,12 +62,9 @@ std::vector<Sample> samples_around(const cv::Mat& light, const std::vector<Spot>
   return out;
 }
 
-/// Normal equations at v; @return the sum of squares there.
-Real equations(const std::vector<Sample>& samples, const Vector& v, Real width, Matrix& a,
-               Vector& b) {
-  a = {};
-  b = {};
-  Real squares = 0;
+/// Normal equations at v.
+void set(const std::vector<Sample>& samples, const Vector& v, Real width, Equations& e) {
+  e = {};
   const Real w2 = width * width;
   for (const Sample& p : samples) {
     Vector slope{};
@@ -82,15 +79,14 @@ Real equations(const std::vector<Sample>& samples, const Vector& v, Real width, 
       slope[g + 2] = shape;
       rest -= v[g + 2] * shape;
     }
-    squares += rest * rest;
+    e.squares += rest * rest;
     for (std::size_t r = 0; r < unknowns; ++r) {
-      b[r] += slope[r] * rest;
+      e.b[r] += slope[r] * rest;
       for (std::size_t c = 0; c < unknowns; ++c) {
-        a[r][c] += slope[r] * slope[c];
+        e.a[r][c] += slope[r] * slope[c];
       }
     }
   }
-  return squares;
 }
 
 /// Two equal Gaussians on the long axis of the light above its darkest pixel.
@@ -122,40 +118,19 @@ Vector start_of(const std::vector<Sample>& samples, const Spot& spot, Real width
 /// Levenberg-Marquardt from v on; @return the sum of squares reached.
 Real fit(const std::vector<Sample>& samples, Vector& v, Real width) {
   constexpr int most_steps = 25;
-  Real damping = 1e-3;
-  Matrix a{};
-  Vector b{};
-  Real squares = equations(samples, v, width, a, b);
-  for (int step = 0; step < most_steps; ++step) {
-    Matrix damped = a;
-    for (std::size_t k = 0; k < unknowns; ++k) {
-      damped[k][k] *= 1 + damping;
-    }
-    Vector next{};
-    if (!solve(damped, b, next)) {
-      break;
-    }
-    for (std::size_t k = 0; k < unknowns; ++k) {
-      next[k] += v[k];
-    }
-    Matrix a_next{};
-    Vector b_next{};
-    const Real there = equations(samples, next, width, a_next, b_next);
-    if (!(there <= squares)) {
-      damping *= 10;
-      continue;
-    }
-    const bool at_rest = squares - there < 1e-4 * squares;
-    v = next;
-    a = a_next;
-    b = b_next;
-    squares = there;
-    damping *= 0.1;
-    if (at_rest) {
-      break;
-    }
-  }
-  return squares;
+  Equations here;
+  Equations there;
+  descend(
+      v, here, there, most_steps,
+      [&](const Vector& at, Equations& e) { set(samples, at, width, e); },
+      [](const Vector& at, Vector change) {
+        for (std::size_t k = 0; k < unknowns; ++k) {
+          change[k] += at[k];
+        }
+        return change;
+      },
+      [](const Vector&, Real before, Real after) { return before - after < 1e-4 * before; });
+  return here.squares;
 }
 
 /// What one Gaussian of its own width leaves, with the best base and height.

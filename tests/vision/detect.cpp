@@ -41,6 +41,16 @@ Agreement agreement(const Known& k, const DetectSettings& s) {
   return measure(k.truth, found);
 }
 
+/// What is found of these in one picture.
+Agreement agreement_on(const Microscope& m, const std::vector<Seen>& seen) {
+  Known k;
+  k.frames.push_back(expose(m, still_light(m, {}), seen, 0));
+  for (const Seen& p : seen) {
+    k.truth.push_back({{0, p.x, p.y}});
+  }
+  return agreement(k, estimate(k.frames, {}, {}));
+}
+
 Microscope square() {
   Microscope m;
   m.width = m.height = 512;
@@ -85,12 +95,7 @@ TEST(Detect, separates_particles_that_touch) {
       seen.push_back({x + 6 * std::cos(0.3 * i), y + 6 * std::sin(0.3 * i), 0, 6});
     }
   }
-  Known k;
-  k.frames.push_back(expose(m, still_light(m, {}), seen, 0));
-  for (const Seen& p : seen) {
-    k.truth.push_back({{0, p.x, p.y}});
-  }
-  const Agreement a = agreement(k, estimate(k.frames, {}, {}));
+  const Agreement a = agreement_on(m, seen);
   EXPECT_EQ(a.jaccard, 1);
   EXPECT_LT(a.rmse, 0.12);
 }
@@ -109,12 +114,7 @@ TEST(Detect, tells_apart_what_has_one_maximum) {
       seen.push_back({x + apart * std::cos(0.3 * i), y + apart * std::sin(0.3 * i), 0, 4});
     }
   }
-  Known k;
-  k.frames.push_back(expose(m, still_light(m, {}), seen, 0));
-  for (const Seen& p : seen) {
-    k.truth.push_back({{0, p.x, p.y}});
-  }
-  const Agreement a = agreement(k, estimate(k.frames, {}, {}));
+  const Agreement a = agreement_on(m, seen);
   EXPECT_EQ(a.jaccard, 1);
   EXPECT_LT(a.rmse, 0.25);
 }
