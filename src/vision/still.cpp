@@ -55,6 +55,24 @@ bool two_sides(const cv::Mat& smooth, Real dark, Real bright) {
          bright - dark > least_contrast * bright;
 }
 
+/// The light with that of the pores nearby in place of grains: a pore as narrow as a particle between dark
+/// grains looks like a bright one otherwise.
+cv::Mat without_grains(const cv::Mat& light, const cv::Mat& grains, Real reach) {
+  if (grains.empty()) {
+    return light;
+  }
+  cv::Mat pores;
+  cv::Mat(grains == 0).convertTo(pores, CV_32F, 1.0 / 255);
+  cv::Mat near;
+  cv::Mat weight;
+  cv::GaussianBlur(light.mul(pores), near, {}, reach);
+  cv::GaussianBlur(pores, weight, {}, reach);
+  near /= weight + 1e-6;
+  cv::Mat out = light.clone();
+  near.copyTo(out, grains);
+  return out;
+}
+
 }  // namespace
 
 cv::Mat median_light(std::span<const cv::Mat> frames) {
@@ -115,7 +133,7 @@ cv::Mat without_stuck(const cv::Mat& median, const cv::Mat& grains, const Detect
   const cv::Mat element = cv::getStructuringElement(cv::MORPH_ELLIPSE, {size, size});
   cv::Mat around;
   cv::Mat smooth;
-  cv::GaussianBlur(median, smooth, {}, 0.7);
+  cv::GaussianBlur(without_grains(median, grains, settings.diameter), smooth, {}, 0.7);
   cv::morphologyEx(smooth, around, settings.dark ? cv::MORPH_CLOSE : cv::MORPH_OPEN, element);
   const cv::Mat hat = settings.dark ? cv::Mat(around - smooth) : cv::Mat(smooth - around);
   DetectSettings s = settings;
@@ -133,6 +151,9 @@ cv::Mat without_stuck(const cv::Mat& median, const cv::Mat& grains, const Detect
     cv::circle(ring, at, s.diameter / 2 + 3, 255, 2);
     constexpr Real alone = 0.3;
     if (cv::mean(hat, ring)[0] < alone * hat.at<float>(at)) {
+      if (!grains.empty()) {
+        disc.setTo(0, grains);
+      }
       around.copyTo(out, disc);
       ++found;
     }

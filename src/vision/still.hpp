@@ -28,7 +28,7 @@ enum class GrainKind { automatic, none, dark, bright };
 /// The median light without the stuck particles in it, so that they are seen like the others.
 ///
 /// What is small, round and alone in the top-hat of the median (in the closing for dark particles) is
-/// replaced by what surrounds it.
+/// replaced by what surrounds it. Grains count as the pores beside them.
 /// @param stuck  how many were found; may be null
 [[nodiscard]] cv::Mat without_stuck(const cv::Mat& median, const cv::Mat& grains,
                                     const DetectSettings& settings, int* stuck = nullptr);

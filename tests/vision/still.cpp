@@ -71,6 +71,38 @@ TEST(Still, bright_grains_with_dark_particles_and_some_stuck) {
   expect_known(Chip(true, 1.3));
 }
 
+/// Channels as narrow as a particle, with crossings a little wider: bright, round and alone between dark grains.
+TEST(Still, crossings_of_narrow_pores_are_no_particles) {
+  Microscope m;
+  m.background = 90;
+  m.grain = 0.6;
+  cv::Mat grains(m.height, m.width, CV_8U, cv::Scalar(255));
+  constexpr int pitch = 60;
+  for (int x = pitch; x < m.width; x += pitch) {
+    cv::line(grains, {x, 0}, {x, m.height}, 0, 3);
+  }
+  for (int y = pitch; y < m.height; y += pitch) {
+    cv::line(grains, {0, y}, {m.width, y}, 0, 3);
+    for (int x = pitch; x < m.width; x += pitch) {
+      cv::circle(grains, {x, y}, 4, 0, cv::FILLED);
+    }
+  }
+  const std::vector<Seen> one{{300, 150, 0, 4}};
+  std::vector<cv::Mat> frames;
+  for (int f = 0; f < 9; ++f) {
+    frames.push_back(expose(m, still_light(m, grains), one, f));
+  }
+  const cv::Mat median = median_light(frames);
+  DetectSettings s;
+  s.diameter = 7;
+  s.separation = 4.2;
+  s.threshold = 3;
+  s.least_mass = 60;
+  int stuck = 0;
+  (void)without_stuck(median, grains, s, &stuck);
+  EXPECT_EQ(stuck, 1) << "the particle in a channel";
+}
+
 TEST(Still, uneven_light_alone_is_no_grain) {
   Microscope m;
   m.uneven = 0.4;
