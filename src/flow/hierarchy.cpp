@@ -241,8 +241,8 @@ void clear_unknowns(Level& level) {
 
 /// @param load_sides  of the finest level, as for cycle()
 /// @param spheres     of the finest level; nullptr below it
-void visit(Hierarchy& hierarchy, int l, bool from_zero, const std::function<void()>& load_sides,
-           RigidSpheres* spheres) {
+void visit(Hierarchy& hierarchy, int l, bool from_zero, int visits,
+           const std::function<void()>& load_sides, RigidSpheres* spheres) {
   Level& level = hierarchy.level(l);
   if (from_zero) {
     clear_unknowns(level);
@@ -262,8 +262,9 @@ void visit(Hierarchy& hierarchy, int l, bool from_zero, const std::function<void
     load_sides();
     level.exchange_sides(sweep_depth);
   }
-  visit(hierarchy, l + 1, true, {}, nullptr);
-  visit(hierarchy, l + 1, false, {}, nullptr);
+  for (int v = 0; v < visits; ++v) {
+    visit(hierarchy, l + 1, v == 0, visits, {}, nullptr);
+  }
   hierarchy.transfer(l).prolong(hierarchy.level(l + 1), level);
   if (spheres != nullptr) {
     spheres->take_correction();
@@ -273,13 +274,14 @@ void visit(Hierarchy& hierarchy, int l, bool from_zero, const std::function<void
 
 }  // namespace
 
-void cycle(Hierarchy& hierarchy, const std::function<void()>& load_sides, RigidSpheres* spheres) {
+void cycle(Hierarchy& hierarchy, const std::function<void()>& load_sides, RigidSpheres* spheres,
+           int visits) {
   hierarchy.finest().lend_sides(hierarchy.finest().replicated && spheres == nullptr);
   load_sides();
   if (spheres != nullptr) {
     spheres->rest();
   }
-  visit(hierarchy, 0, true, load_sides, spheres);
+  visit(hierarchy, 0, true, visits, load_sides, spheres);
 }
 
 void smooth_finest(Hierarchy& hierarchy, RigidSpheres* spheres, int count) {

@@ -56,10 +56,11 @@ class Hierarchy {
 /// load_sides() puts the right-hand side into f and g of that level (owned values suffice). Where the
 /// level lends them to the residual it is called again after the coarse levels: the memory of four
 /// fields for a pass over two.
-/// W cycle with two sweeps before and after: every coarse level is visited twice. Coarse levels know
-/// nothing of spheres; on the finest each sweep is followed by an update of theirs.
+/// Two sweeps before and after. Coarse levels know nothing of spheres; on the finest each sweep is
+/// followed by an update of theirs.
+/// @param visits  of every coarse level: 2, a W cycle; 1, a V cycle, which does where time dominates the rows
 void cycle(Hierarchy& hierarchy, const std::function<void()>& load_sides,
-           RigidSpheres* spheres = nullptr);
+           RigidSpheres* spheres = nullptr, int visits = 2);
 
 /// Sweeps of the finest level, each followed by an update of the spheres; from what u and p hold.
 void smooth_finest(Hierarchy& hierarchy, RigidSpheres* spheres, int count);

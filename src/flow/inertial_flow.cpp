@@ -45,7 +45,7 @@ InertialFlow::InertialFlow(StokesSolver& solver, Real density, Scheme scheme, Ti
   for (double& value : parts_.unknowns) {
     value *= known ? before / parts_.scale : 0;
   }
-  for (Packed<double>* v : {&old_, &older_, &history_, &r_, &image_, &time_weight_}) {
+  for (Packed<double>* v : {&old_, &older_, &r_, &image_, &time_weight_}) {
     v->assign(size, 0.0);
   }
   part_.assign(size, 0.0F);
@@ -126,19 +126,31 @@ void InertialFlow::set_weight(Real weight) {
   }
 }
 
-/// First guess: the last step once more, scaled by `ratio`; the last step is kept.
-void InertialFlow::find_guess(Real ratio) {
+/// First guess, extrapolated from the last times; the last step is kept. With s, s0 and s1 the steps to come,
+/// of the last and of the one before, a parabola through three times is
+///
+///     x = (s + s0)(s + s0 + s1)/(s0 (s0 + s1)) x_0 - s (s + s0 + s1)/(s0 s1) x_1 + s (s + s0)/((s0 + s1) s1) x_2
+void InertialFlow::find_guess(Real step) {
   Packed<double>& x = parts_.unknowns;
-  const bool middle = scheme_in_time_ == TimeScheme::midpoint;
-  for (std::size_t line = 0; line < old_.size(); line += packed_width) {
-    for (std::size_t at = line; at < line + packed_width; ++at) {
-      const bool velocity = at < line + 3 * width;
+  const Real s0 = last_step_;
+  const Real s1 = step_before_;
+  const bool bends = bends_guess();
+  const bool moves = states_ > 1;
+  const Real w1 = bends ? -step * (step + s0 + s1) / (s0 * s1) : moves ? -step / s0 : 0;
+  const Real w2 = bends ? step * (step + s0) / ((s0 + s1) * s1) : 0;
+  const Real share =
+      scheme_in_time_ == TimeScheme::midpoint ? 0.5 : 1;  // of the step, for velocity
+  const auto go = [&](std::size_t first, int count, Real part) {
+    for (std::size_t at = first; at < first + static_cast<std::size_t>(count); ++at) {
       const double now = x[at];
-      const double change = states_ > 1 ? ratio * (now - old_[at]) : 0;
-      x[at] += middle && velocity ? change / 2 : change;
+      x[at] += part * (w1 * (old_[at] - now) + w2 * (older_[at] - now));
       older_[at] = old_[at];
       old_[at] = now;
     }
+  };
+  for (std::size_t line = 0; line < old_.size(); line += packed_width) {
+    go(line, 3 * width, share);
+    go(line + 3 * width, width, 1);
   }
 }
 
@@ -187,10 +199,8 @@ StepReport InertialFlow::advance(Real step, const Drive& drive, const StepOption
   const Real h = parts_.spacing.x;
   lift_spheres();
   set_weight(a0 * density_ * h * h / (parts_.viscosity * step));
-  find_guess(ratio);
-  for (std::size_t at = 0; at < history_.size(); ++at) {
-    history_[at] = -(a1 * old_[at] + a2 * older_[at]) / a0;
-  }
+  find_guess(step);
+  past_ = {-a1 / a0, -a2 / a0};
   show_drive(drive);
   place_spheres(a, ratio);
   const StepReport report = solve(rows_, options);
@@ -206,6 +216,7 @@ StepReport InertialFlow::advance(Real step, const Drive& drive, const StepOption
     }
   }
   time_ += step;
+  step_before_ = last_step_;
   last_step_ = step;
   states_ = std::min(states_ + 1, 3);
   return report;
@@ -291,16 +302,27 @@ void InertialFlow::from_cells(const std::vector<Real>& cells, Packed<double>& x)
 }
 
 InertialFlow::Memory InertialFlow::remember() const {
-  return {
-      of_cells(parts_.unknowns), of_cells(old_), time_, last_step_, built_, closing_rate_, states_};
+  return {of_cells(parts_.unknowns),
+          of_cells(old_),
+          bends_guess() ? of_cells(older_) : std::vector<Real>{},
+          time_,
+          last_step_,
+          step_before_,
+          built_,
+          closing_rate_,
+          states_};
 }
 
 void InertialFlow::recall(const Memory& memory, std::span<const Sphere> spheres) {
   lift_spheres();
   from_cells(memory.now, parts_.unknowns);
   from_cells(memory.old, old_);
+  if (!memory.older.empty()) {
+    from_cells(memory.older, older_);
+  }
   time_ = memory.time;
   last_step_ = memory.step;
+  step_before_ = memory.before;
   closing_rate_ = memory.closing;
   states_ = memory.states;
   if (memory.built > 0) {

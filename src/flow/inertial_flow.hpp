@@ -42,7 +42,8 @@ struct StepReport {
 /// old and new, a = (2, -2, 0), u_new = 2 u - u_old. All terms stand at the new time (or the middle):
 /// no step is too large for stability, the Courant number is a matter of accuracy and of cycles.
 ///
-/// Each step is one nonlinear solve for velocity and pressure together, from the extrapolated last steps:
+/// Each step is one nonlinear solve for velocity and pressure together, from the extrapolated last steps
+/// (a parabola through three times, a line where spheres uncover cells that have no past):
 /// generalised conjugate residuals with the multigrid cycle of the linear rows without A as
 /// preconditioner, where the image of a direction holds A(u, z) + A(z, u): Newton's method, its linear
 /// systems solved just far enough. Residuals of momentum are divided by the diagonal, so that they
@@ -99,9 +100,10 @@ class InertialFlow {
   /// on their low faces, that on their high ones where they end the box, and the pressure.
   static constexpr int columns = 7;
   struct Memory {
-    std::vector<Real> now, old;
+    std::vector<Real> now, old, older;  ///< older: empty where no guess needs it
     Real time = 0;
     Real step = 0;     ///< of the last step
+    Real before = 0;   ///< of the one before
     Real built = 0;    ///< weight that the coarse levels stand for
     Real closing = 0;  ///< closing_rate()
     int states = 0;    ///< known
@@ -135,11 +137,14 @@ class InertialFlow {
   [[nodiscard]] RigidSpheres* spheres() const { return parts_.equations.spheres(); }
   void weigh_inlets();
   void set_weight(Real weight);
-  void find_guess(Real ratio);
+  void find_guess(Real step);
+  [[nodiscard]] bool bends_guess() const { return states_ > 2 && !solver_.spheres_; }
   void level_pressure();
   void show_drive(const Drive& drive);
   void drop_directions(std::size_t most);
-  void find_residual(const Packed<float>& b);
+  void find_residual(const Packed<float>& b, bool exactly);
+  void add_past();
+  [[nodiscard]] bool floats_do(Real tolerance) const;
   void search(bool stalled, Real size);
   void add_carriage(Direction& direction);
   Real descend(std::size_t most);
@@ -171,10 +176,11 @@ class InertialFlow {
   FaceVelocity u_;
   FaceVelocity z_;
   std::array<Real, 6> inlet_{};
-  Packed<double> old_, older_;  ///< one and two steps ago
-  Packed<double> history_;      ///< what the rows draw u to by the time term
+  Packed<double> old_, older_;    ///< one and two steps ago
+  std::array<double, 2> past_{};  ///< -a1/a0, -a2/a0: what the rows draw u to by the time term
   Packed<double> r_;
-  Packed<double> time_weight_;  ///< of u in each row: what friction holds above its base
+  Packed<double>
+      time_weight_;  ///< of u in each row: what friction holds above its base without spheres
   std::vector<SphereMotion> found_;
   std::vector<std::uint32_t> vacated_;
   Packed<double> image_;
@@ -187,6 +193,7 @@ class InertialFlow {
   Packed<float> rows_;  ///< right-hand side of the step
   Real time_ = 0;
   Real last_step_ = 0;
+  Real step_before_ = 0;
   Real closing_rate_ = 0;
   int states_ = 1;  ///< known times, the present one included
 };

@@ -12,6 +12,7 @@ constexpr int width = grid::line_width;
 constexpr Real vanishing = 1e-10;    ///< share of a direction's square that float can still tell
 constexpr Real little_gain = 0.8;    ///< of the residual left: the cycle gained little
 constexpr Real little_curved = 0.1;  ///< of the tolerance: what linear rows may miss
+constexpr Real easy_weight = 1;      ///< of the time term, as of a link between faces: V cycles do
 constexpr Real trusted = 1e-2;  ///< reduction after which the linearised residual is looked at anew
 
 /// Sum of a b over lines, momentum and continuity apart, one accumulator per lane.
@@ -100,13 +101,55 @@ Real InertialFlow::change() const {
   return size > 0 ? std::sqrt(parts_.comm.sum(total)) / size : 0;
 }
 
-/// r = b + c (history - u) - K (u, p) - inertia A(u, u), c being the time term's coefficient; in double,
-/// with the unknowns split into two floats. Leaves the velocity in u_.
-void InertialFlow::find_residual(const Packed<float>& b) {
-  Operator& op = parts_.equations;
-  Level& level = parts_.hierarchy.finest();
+/// Does one float of every unknown tell the residual to a fifth of the tolerance? Rounding to half of 2^-23
+/// at most, 0.3 of it in the mean square; u counts by its rows' diagonal and neighbours, p by its two cells.
+bool InertialFlow::floats_do(Real tolerance) const {
+  constexpr Real rounding = 0.3 / (1 << 23);
+  constexpr Real counted_u = 3;  // of velocities in momentum and continuity, mean square
+  constexpr Real counted_p = 6;  // differences along three axes
+  constexpr Real share = 0.2;
   const Packed<double>& x = parts_.unknowns;
-  u_.load(level, op, x, inlet_, u_);
+  Real u = 0;
+  Real p = 0;
+  for (std::size_t line = 0; line < old_.size(); line += packed_width) {
+    for (int l = 0; l < 3 * width; ++l) {
+      u += x[line + l] * x[line + l];
+    }
+    for (int l = 3 * width; l < packed_width; ++l) {
+      p += x[line + l] * x[line + l];
+    }
+  }
+  std::vector<Real> sums{u, p};
+  parts_.comm.sum(sums);
+  const Real error = counted_u * counted_u * sums[0] + counted_p * row_factor() * sums[1];
+  return rounding * std::sqrt(error) < share * tolerance * std::sqrt(sums[0]);
+}
+
+/// r += c history, c being the time term's coefficient.
+void InertialFlow::add_past() {
+  const Level& level = parts_.hierarchy.finest();
+  parts_.equations.for_each_line([&](int i, int j, int k, std::size_t line) {
+    const std::ptrdiff_t face = level.block.at(i, j, k);
+    for (int c = 0; c < 3; ++c) {
+      if (!level.flows[c]) {
+        continue;
+      }
+      const float* inverse = level.inverse_diagonal[c].data() + face;
+      const std::size_t at = line + c * width;
+      for (int l = 0; l < width; ++l) {
+        const double history = past_[0] * old_[at + l] + past_[1] * older_[at + l];
+        r_[at + l] += inverse[l] != 0 ? time_weight_[at + l] * history : 0;
+      }
+    }
+  });
+}
+
+/// r = b + c (history - u) - K (u, p) - inertia A(u, u), in double; exactly: with the unknowns split into two floats.
+/// Leaves the velocity in u_.
+void InertialFlow::find_residual(const Packed<float>& b, bool exactly) {
+  Operator& op = parts_.equations;
+  const Packed<double>& x = parts_.unknowns;
+  u_.load(parts_.hierarchy.finest(), op, x, inlet_, u_);
   if (spheres() != nullptr) {
     spheres()->load_motion(x.data() + op.fluid_size());
     show_covered(u_);
@@ -117,26 +160,20 @@ void InertialFlow::find_residual(const Packed<float>& b) {
   if (spheres() != nullptr) {
     beside_.apply(*spheres(), u_, carried_);
   }
+  op.load_unknowns(x);
+  op.apply(r_);
   for (std::size_t at = 0; at < x.size(); ++at) {
-    r_[at] = b[at] - inertia_ * carried_[at];
-    part_[at] = static_cast<float>(x[at]);
+    r_[at] = b[at] - inertia_ * carried_[at] - r_[at];
   }
-  op.for_each_line([&](int i, int j, int k, std::size_t line) {
-    const std::ptrdiff_t face = level.block.at(i, j, k);
-    for (int c = 0; c < 3; ++c) {
-      const float* inverse = level.inverse_diagonal[c].data() + face;
-      const std::size_t at = line + c * width;
-      for (int l = 0; l < width; ++l) {
-        r_[at + l] += inverse[l] != 0 ? time_weight_[at + l] * history_[at + l] : 0;
-      }
+  add_past();
+  if (exactly) {
+    for (std::size_t at = 0; at < x.size(); ++at) {
+      part_[at] = static_cast<float>(x[at] - static_cast<double>(static_cast<float>(x[at])));
     }
-  });
-  for (int half = 0; half < 2; ++half) {
     op.load_unknowns(part_);
     op.apply(image_);
     for (std::size_t at = 0; at < x.size(); ++at) {
       r_[at] -= image_[at];
-      part_[at] = static_cast<float>(x[at] - static_cast<double>(part_[at]));
     }
   }
 }
@@ -159,7 +196,8 @@ void InertialFlow::search(bool stalled, Real size) {
       op.load_right_hand_side(r_, 1 / size);
     }
   };
-  cycle(parts_.hierarchy, load_sides, op.spheres());
+  const int visits = weight_ > easy_weight ? 1 : 2;
+  cycle(parts_.hierarchy, load_sides, op.spheres(), visits);
   op.store_unknowns(newest.z);
   op.apply(newest.q);
   if (inertia_ != 0) {
@@ -261,7 +299,7 @@ StepReport InertialFlow::solve(const Packed<float>& b, const StepOptions& option
   StepReport report;
   Real reference = velocity_norm();
   while (true) {
-    find_residual(b);
+    find_residual(b, !floats_do(options.tolerance));
     drop_directions(0);
     ++report.evaluations;
     const Real first = row_norm(r_);

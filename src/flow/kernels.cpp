@@ -94,9 +94,15 @@ void relax_rows(Level& level, int k, RowRange rows, int colour) {
     for_lines(level, j, k, [&](int i) {
       const std::ptrdiff_t at = level.block.at(i, j, k);
       const int parity = lane_parity(level.block, i, j, k, colour);
-      relax_line<0, weighted>(level, s0, i, at, parity);
-      relax_line<1, weighted>(level, s1, i, at, parity);
-      relax_line<2, weighted>(level, s2, i, at, parity);
+      if (level.flows[0]) {
+        relax_line<0, weighted>(level, s0, i, at, parity);
+      }
+      if (level.flows[1]) {
+        relax_line<1, weighted>(level, s1, i, at, parity);
+      }
+      if (level.flows[2]) {
+        relax_line<2, weighted>(level, s2, i, at, parity);
+      }
     });
   }
 }
@@ -155,7 +161,8 @@ inline float flux(const float* u, const float* weight, std::ptrdiff_t at) {
   }
 }
 
-template <bool weighted>
+/// flat: nothing flows along z.
+template <bool weighted, bool flat>
 void push_line_cells(Level& level, const PushStencil& s, int i, std::ptrdiff_t at, int parity,
                      float omega, float* moved) {
   const std::ptrdiff_t sy = level.block.sy;
@@ -173,9 +180,11 @@ void push_line_cells(Level& level, const PushStencil& s, int i, std::ptrdiff_t a
   const float* chosen = lanes.of[parity].data();
 #pragma omp simd
   for (int l = 0; l < width; ++l) {
-    const float divergence = (flux<weighted>(u, wu, l + 1) - flux<weighted>(u, wu, l)) * div_x[l] +
-                             (flux<weighted>(v, wv, l + sy) - flux<weighted>(v, wv, l)) * s.div_y +
-                             (flux<weighted>(w, ww, l + sz) - flux<weighted>(w, ww, l)) * s.div_z;
+    float divergence = (flux<weighted>(u, wu, l + 1) - flux<weighted>(u, wu, l)) * div_x[l] +
+                       (flux<weighted>(v, wv, l + sy) - flux<weighted>(v, wv, l)) * s.div_y;
+    if constexpr (!flat) {
+      divergence += (flux<weighted>(w, ww, l + sz) - flux<weighted>(w, ww, l)) * s.div_z;
+    }
     const float q = chosen[l] * push[l] * (g[l] - divergence);
     p[l] += omega * q;
     moved[l] = q;
@@ -193,7 +202,7 @@ inline void push_faces(float* u, const float* inverse, const float* weight, cons
   }
 }
 
-template <bool weighted>
+template <bool weighted, bool flat>
 void push_line_faces(Level& level, const PushStencil& s, int i, std::ptrdiff_t at, const float* q) {
   const std::ptrdiff_t sy = level.block.sy;
   const std::ptrdiff_t sz = level.block.sz;
@@ -216,11 +225,13 @@ void push_line_faces(Level& level, const PushStencil& s, int i, std::ptrdiff_t a
   };
   faces(1, at, s.grad_y_low);
   faces(1, at + sy, -s.grad_y_high);
-  faces(2, at, s.grad_z_low);
-  faces(2, at + sz, -s.grad_z_high);
+  if constexpr (!flat) {
+    faces(2, at, s.grad_z_low);
+    faces(2, at + sz, -s.grad_z_high);
+  }
 }
 
-template <bool weighted>
+template <bool weighted, bool flat>
 void push_rows(Level& level, int k, RowRange rows, int colour, float omega) {
   const grid::Block& b = level.block;
   static thread_local std::vector<float> buffer;
@@ -229,11 +240,12 @@ void push_rows(Level& level, int k, RowRange rows, int colour, float omega) {
   for (int j = rows.first; j < rows.last; ++j) {
     const PushStencil s(level, j, k);
     for_lines(level, j, k, [&](int i) {
-      push_line_cells<weighted>(level, s, i, b.at(i, j, k), lane_parity(b, i, j, k, colour), omega,
-                                moved + i);
+      push_line_cells<weighted, flat>(level, s, i, b.at(i, j, k), lane_parity(b, i, j, k, colour),
+                                      omega, moved + i);
     });
-    for_lines(level, j, k,
-              [&](int i) { push_line_faces<weighted>(level, s, i, b.at(i, j, k), moved + i); });
+    for_lines(level, j, k, [&](int i) {
+      push_line_faces<weighted, flat>(level, s, i, b.at(i, j, k), moved + i);
+    });
     for_lines(level, j, k, [&](int i) {
       for (int l = 0; l < width; ++l) {
         moved[i + l] = 0;
@@ -268,7 +280,7 @@ void residual_line(Level& level, const RowStencil<c>& s, int i, std::ptrdiff_t a
   }
 }
 
-template <bool weighted>
+template <bool weighted, bool flat>
 void residual_rows(Level& level, int k, RowRange rows) {
   const grid::Block& b = level.block;
   for (int j = rows.first; j < rows.last; ++j) {
@@ -280,7 +292,9 @@ void residual_rows(Level& level, int k, RowRange rows) {
       const std::ptrdiff_t at = b.at(i, j, k);
       residual_line<0, weighted>(level, s0, i, at);
       residual_line<1, weighted>(level, s1, i, at);
-      residual_line<2, weighted>(level, s2, i, at);
+      if constexpr (!flat) {
+        residual_line<2, weighted>(level, s2, i, at);
+      }
       const float* u = level.u[0].data() + at;
       const float* v = level.u[1].data() + at;
       const float* w = level.u[2].data() + at;
@@ -292,10 +306,12 @@ void residual_rows(Level& level, int k, RowRange rows) {
       float* rg = level.residual_of(3) + at;
 #pragma omp simd
       for (int l = 0; l < width; ++l) {
-        const float divergence =
+        float divergence =
             (flux<weighted>(u, wu, l + 1) - flux<weighted>(u, wu, l)) * s.div_x[i + l] +
-            (flux<weighted>(v, wv, l + b.sy) - flux<weighted>(v, wv, l)) * s.div_y +
-            (flux<weighted>(w, ww, l + b.sz) - flux<weighted>(w, ww, l)) * s.div_z;
+            (flux<weighted>(v, wv, l + b.sy) - flux<weighted>(v, wv, l)) * s.div_y;
+        if constexpr (!flat) {
+          divergence += (flux<weighted>(w, ww, l + b.sz) - flux<weighted>(w, ww, l)) * s.div_z;
+        }
         rg[l] = push[l] != 0 ? g[l] - divergence : 0.0F;
       }
     });
@@ -316,12 +332,23 @@ void relax_component(Level& level, int component, int k, RowRange rows, int colo
 }
 
 void push_pressure(Level& level, int k, RowRange rows, int colour, float omega) {
-  level.weighted() ? push_rows<true>(level, k, rows, colour, omega)
-                   : push_rows<false>(level, k, rows, colour, omega);
+  if (level.flows[2]) {
+    level.weighted() ? push_rows<true, false>(level, k, rows, colour, omega)
+                     : push_rows<false, false>(level, k, rows, colour, omega);
+  } else {
+    level.weighted() ? push_rows<true, true>(level, k, rows, colour, omega)
+                     : push_rows<false, true>(level, k, rows, colour, omega);
+  }
 }
 
 void find_residual(Level& level, int k, RowRange rows) {
-  level.weighted() ? residual_rows<true>(level, k, rows) : residual_rows<false>(level, k, rows);
+  if (level.flows[2]) {
+    level.weighted() ? residual_rows<true, false>(level, k, rows)
+                     : residual_rows<false, false>(level, k, rows);
+  } else {
+    level.weighted() ? residual_rows<true, true>(level, k, rows)
+                     : residual_rows<false, true>(level, k, rows);
+  }
 }
 
 }  // namespace porefines::flow

@@ -116,6 +116,10 @@ float push_of(const Level& level, const Int3& cell) {
 }
 
 void finish_level(Level& level) {
+  for (int c = 0; c < 3; ++c) {
+    level.flows[c] = std::any_of(level.inverse_diagonal[c].begin(), level.inverse_diagonal[c].end(),
+                                 [](float d) { return d != 0; });
+  }
   find_push(level);
   find_active_lines(
       level);  // a cell may be open to its high sides only: lines with cells count too

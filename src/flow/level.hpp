@@ -40,6 +40,8 @@ struct Level {
   std::array<std::vector<Real>, 3> widths;  ///< of all cells of the grid, in fine cells along x
   std::array<AxisCoefficients, 3> axis;
   bool replicated = false;  ///< every rank holds the whole grid
+  std::array<bool, 3> flows{true, true,
+                            true};  ///< has the component an open face, ghosts included?
 
   Floats3 inverse_diagonal;  ///< 1/d, 0 at inactive faces
   Floats3 weight;            ///< W, finest level only
@@ -107,7 +109,7 @@ void for_lines(const Level& level, int j, int k, const Work& work) {
 /// push of one cell: 1 / sum over its six faces of W^2 grad div / d; 0 where none is open.
 [[nodiscard]] float push_of(const Level& level, const Int3& cell);
 
-/// Finds active lines and the push coefficient; call when diagonals and weights (ghosts too) stand.
+/// Finds active lines, the push coefficient and which components flow; call when diagonals and weights (ghosts too) stand.
 void finish_level(Level& level);
 
 }  // namespace porefines::flow

@@ -119,7 +119,11 @@ void Operator::apply(Packed<T>& out) {
     T* to = out.data() + line * packed_width;
     momentum_line<0>(level_, friction_, i, j, k, to);
     momentum_line<1>(level_, friction_, i, j, k, to + width);
-    momentum_line<2>(level_, friction_, i, j, k, to + 2 * width);
+    if (level_.flows[2]) {
+      momentum_line<2>(level_, friction_, i, j, k, to + 2 * width);
+    } else {
+      std::fill_n(to + 2 * width, width, T{0});
+    }
     continuity_line(level_, i, j, k, to + 3 * width);
   }
   if (spheres_ != nullptr) {

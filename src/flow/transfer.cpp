@@ -206,7 +206,9 @@ void Transfer::share_flux(Level& fine) const {
 
 void Transfer::restrict_residual(Level& fine, Level& coarse) const {
   for (int a = 0; a < 3; ++a) {
-    restrict_faces(a, fine.residual_of(a), fine, coarse.f[a], coarse);
+    if (fine.flows[a]) {
+      restrict_faces(a, fine.residual_of(a), fine, coarse.f[a], coarse);
+    }
   }
   restrict_cells(fine, coarse);
   gather({coarse.f[0].data(), coarse.f[1].data(), coarse.f[2].data(), coarse.g.data()}, coarse);
@@ -215,7 +217,9 @@ void Transfer::restrict_residual(Level& fine, Level& coarse) const {
 void Transfer::prolong(Level& coarse, Level& fine) const {
   coarse.exchange_unknowns(1);
   for (int a = 0; a < 3; ++a) {
-    prolong_faces(a, coarse, fine);
+    if (fine.flows[a]) {
+      prolong_faces(a, coarse, fine);
+    }
   }
   prolong_cells(coarse, fine);
 }

@@ -11,7 +11,7 @@ namespace {
 /// Calls visit(number) for every number of the state, in a fixed order.
 template <typename Memory, typename Visit>
 void for_memory(Memory& m, const Visit& visit) {
-  visit(m.time), visit(m.step), visit(m.built), visit(m.closing);
+  visit(m.time), visit(m.step), visit(m.before), visit(m.built), visit(m.closing);
 }
 
 template <typename State, typename Visit>
@@ -30,10 +30,15 @@ void put_flow(io::Checkpoint& checkpoint, const flow::InertialFlow::Memory& memo
               const io::GridBlock& grid) {
   std::vector<Real> reals{static_cast<Real>(memory.states)};
   for_memory(memory, [&](Real value) { reals.push_back(value); });
+  const bool older = !memory.older.empty();
+  reals.push_back(older ? 1 : 0);
   checkpoint.whole("flow_reals", std::move(reals));
   constexpr int columns = flow::InertialFlow::columns;
   checkpoint.block("flow_now", grid, std::span<const Real>(memory.now), columns);
   checkpoint.block("flow_before", grid, std::span<const Real>(memory.old), columns);
+  if (older) {
+    checkpoint.block("flow_older", grid, std::span<const Real>(memory.older), columns);
+  }
 }
 
 flow::InertialFlow::Memory get_flow(const io::CheckpointReader& reader, const io::GridBlock& grid) {
@@ -45,6 +50,9 @@ flow::InertialFlow::Memory get_flow(const io::CheckpointReader& reader, const io
   constexpr int columns = flow::InertialFlow::columns;
   memory.now = reader.block<Real>("flow_now", grid, columns);
   memory.old = reader.block<Real>("flow_before", grid, columns);
+  if (reals.at(at) != 0) {
+    memory.older = reader.block<Real>("flow_older", grid, columns);
+  }
   return memory;
 }
 

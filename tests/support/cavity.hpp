@@ -25,7 +25,7 @@ inline Real extremum(const std::vector<Real>& f, Real sign) {
 }
 
 /// Centre-line extrema of the steady flow under a lid of speed 1 on n x n cells.
-inline Extrema cavity(int n, Real reynolds) {
+inline Extrema cavity(int n, Real reynolds, Real tolerance = 1e-6) {
   const par::Communicator comm;
   Boundaries b;
   b.kind = {FaceKind::wall, FaceKind::wall, FaceKind::wall,
@@ -36,7 +36,7 @@ inline Extrema cavity(int n, Real reynolds) {
   flow::InertialFlow flow(solver, 1.0, flow::Scheme::linear, flow::TimeScheme::euler, 1.0);
   flow::Drive drive;
   drive.lid[3] = {1, 0, 0};
-  const auto report = flow.settle(drive, {.tolerance = 1e-6, .max_cycles = 60}, 2000);
+  const auto report = flow.settle(drive, {.tolerance = tolerance, .max_cycles = 60}, 2000);
   EXPECT_TRUE(report.converged);
   EXPECT_LE(report.cycles, reynolds <= 100 ? 200 : 5000);
   const auto u = solver.plane_velocities(0, n / 2);

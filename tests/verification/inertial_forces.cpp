@@ -42,4 +42,16 @@ TEST(InertialForces, on_a_cylinder_at_re_10) {
   EXPECT_NEAR(c.y, 0, 1e-3);
 }
 
+/// A step of a smooth flow costs about one cycle: the guess is a parabola in time. A line needed 1.4 cycles.
+TEST(InertialForces, steps_past_a_cylinder_cost_one_cycle) {
+  Cylinder cylinder(par::Communicator(), 8, 100, flow::Scheme::lust, flow::TimeScheme::bdf2);
+  int cycles = 0;
+  for (int s = 0; s < 60; ++s) {
+    const auto report = cylinder.flow().advance(0.4 / 8, cylinder.drive(), {.tolerance = 1e-6});
+    EXPECT_TRUE(report.converged);
+    cycles += s < 30 ? 0 : report.cycles;
+  }
+  EXPECT_LE(cycles, 36);
+}
+
 }  // namespace porefines::test
