@@ -156,8 +156,12 @@ void start_inertia(CoupledRun& run) {
   const Real flows =
       push.speed > 0 || push.force > 0 ? expected_speed(the_case, run.domain, push) : 0;
   const Real falls = particle_speed(the_case);
-  run.inertial = make_inertial_flow(the_case, run.domain, run.solver, std::max(flows, falls),
-                                    flow::InertialFlow::First::solved);
+  // What only the spheres of a list bring along is not known here: a cell's Reynolds number of 1 is a unit as well.
+  const Real unit = the_case.fluid.viscosity / (the_case.fluid.density * run.domain.spacing.x);
+  const Real expected = std::max(flows, falls);
+  run.inertial =
+      make_inertial_flow(the_case, run.domain, run.solver, expected > 0 ? expected : unit,
+                         flow::InertialFlow::First::solved);
   soften(run, std::max(falls, run.inertial->crossing_rate() * run.domain.spacing.x));
 }
 

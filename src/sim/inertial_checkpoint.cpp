@@ -2,6 +2,7 @@
 #include "sim/inertial_checkpoint.hpp"
 
 #include "config/writer.hpp"
+#include "core/error.hpp"
 #include "io/checkpoint.hpp"
 #include "sim/dry_checkpoint.hpp"
 
@@ -44,6 +45,10 @@ void put_flow(io::Checkpoint& checkpoint, const flow::InertialFlow::Memory& memo
 flow::InertialFlow::Memory get_flow(const io::CheckpointReader& reader, const io::GridBlock& grid) {
   flow::InertialFlow::Memory memory;
   const auto reals = reader.whole<Real>("flow_reals");
+  constexpr std::size_t count = 7;
+  if (reals.size() != count) {
+    throw InputError("the checkpoint is of another version of porefines: start the run anew");
+  }
   std::size_t at = 0;
   memory.states = static_cast<int>(reals.at(at++));
   for_memory(memory, [&](Real& value) { value = reals.at(at++); });

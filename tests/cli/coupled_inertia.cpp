@@ -106,6 +106,16 @@ TEST_F(CoupledInertia, rebounds_as_its_stokes_number_allows) {
   EXPECT_LT(thick.up / thick.down, 0.01);
 }
 
+/// Neither weight nor drive tells the speed to expect beforehand: the unit of velocity was zero once.
+TEST_F(CoupledInertia, a_sphere_is_thrown_into_fluid_at_rest) {
+  const auto thrown =
+      run({"-o", "out", R"(gravity=["0 m/s^2","0 m/s^2","0 m/s^2"])", "run.end_time=1 ms"});
+  ASSERT_EQ(thrown.exit_code, 0) << thrown.output;
+  const Impact found = impact("out");
+  EXPECT_NEAR(found.down, 0.2, 1e-6);
+  EXPECT_EQ(found.up, 0);
+}
+
 TEST_F(CoupledInertia, says_what_it_cannot_do) {
   const auto refused = [&](const std::string& change) {
     const auto result = run({"-o", "out", change});

@@ -79,31 +79,46 @@ TEST(InertialCases, neutral_sphere_in_a_tube_goes_to_three_fifths_of_its_radius)
   EXPECT_LT(outside - inside, 0.03);
 }
 
-/// Rebound over impact speed grows with the Stokes number and stays below the dry 0.97, and steps ten times as short
-/// change it by less than 0.02.
-TEST(InertialCases, wet_rebound_grows_with_the_stokes_number_whatever_the_step) {
-  const auto restitution = [](const std::vector<std::string>& more) {
-    const Scratch folder;
-    const Csv tracks = tracks_of(folder, "wet_impact", more);
-    double down = 0;
-    double up = 0;
-    for (std::size_t i = 0; i < tracks.rows.size(); ++i) {
-      const double w = tracks.at(i, "w_m_s");
-      up = -w > down ? 0 : std::max(up, w);
-      down = std::max(down, -w);
+namespace {
+
+/// Speed a tenth of a diameter from the wall, where cameras see it (Joseph et al. 2001): going up over the one
+/// coming down.
+double restitution(const std::vector<std::string>& more) {
+  const Scratch folder;
+  const Csv tracks = tracks_of(folder, "wet_impact", more);
+  constexpr double height = 2e-3 + 0.4e-3;  // of the centre
+  double down = 0;
+  double up = 0;
+  for (std::size_t i = 0; i + 1 < tracks.rows.size(); ++i) {
+    const double z = tracks.at(i, "z_m") - height;
+    const double next = tracks.at(i + 1, "z_m") - height;
+    if (z * next > 0) {
+      continue;
     }
-    return up / down;
-  };
+    const double w = (z * tracks.at(i + 1, "w_m_s") - next * tracks.at(i, "w_m_s")) / (z - next);
+    double& first = w < 0 ? down : up;
+    first = first == 0 ? std::abs(w) : first;
+  }
+  EXPECT_GT(down, 0.1);
+  return up / down;
+}
+
+}  // namespace
+
+/// The curve through the experiments, 0.97 exp(-35/St) (Legendre et al. 2005), within 0.05 at St 114 and 54, as measured a
+/// tenth of a diameter from the wall; at St 20, where the curve says 0.16 and experiments scatter from 0 on, the
+/// sphere gets no farther than 0.02 diameters: the critical Stokes number found lies above it.
+TEST(InertialCases, wet_rebound_follows_the_stokes_number_whatever_the_step) {
   const double usual = restitution({});
   const double finer = restitution({"coupling.travel=0.05"});
-  const double thick = restitution({"fluid.viscosity=30 mPa s"});
-  const double thicker = restitution({"fluid.viscosity=200 mPa s"});
-  std::printf("e %.3f (steps of a tenth %.3f) at St 114, %.3f at 38, %.3f at 6\n", usual, finer,
+  const double thick = restitution({"fluid.viscosity=20 mPa s"});
+  const double thicker = restitution({"fluid.viscosity=50 mPa s"});
+  std::printf("e %.3f (steps of a tenth %.3f) at St 114, %.3f at 54, %.3f at 20\n", usual, finer,
               thick, thicker);
   EXPECT_NEAR(finer, usual, 0.02);
-  EXPECT_LT(usual, 0.97);
-  EXPECT_GT(usual, thick + 0.1);
-  EXPECT_LT(thicker, 0.05);
+  EXPECT_NEAR(usual, 0.97 * std::exp(-35 / 114.0), 0.05);
+  EXPECT_NEAR(thick, 0.97 * std::exp(-35 / 54.0), 0.05);
+  EXPECT_LT(thicker, 0.2);
 }
 
 }  // namespace porefines::test
