@@ -180,15 +180,47 @@ void feed_inlets(CoupledRun& run) {
   }
 }
 
+namespace {
+
+bool pump_keeps_rate(const CoupledRun& run) {
+  constexpr Real accuracy = 1e-3;
+  return run.wanted_rate == 0 ||
+         std::abs(run.now.darcy.flow_rate / run.wanted_rate - 1) < accuracy;
+}
+
+/// Drive and contact forces in one ratio: F* of a caught sphere, which balances the drag on it, goes
+/// with the pressure. Were F* kept, the sphere would be told to give way to the difference, the rate
+/// would answer as if nothing were caught, and the pump would swing. A touching sphere has
+/// F* = -(F_drag + F_outer), and F_drag goes with the pressure.
+void turn_pump(CoupledRun& run) {
+  // A pump that finds no way out still turns up step by step, not at once.
+  const Real asked = run.wanted_rate / run.now.darcy.flow_rate;
+  const Real ratio = asked > 0 ? std::min(asked, 2.0) : 2.0;
+  run.state.drive_factor *= ratio;
+  dem::Particles& p = run.particles.system.particles();
+  for (std::size_t i = 0; i < p.owned; ++i) {
+    Vec3& force = p.creeping.mean_force[i];
+    if (dot(force, force) > 0) {
+      const auto& species = run.the_case.particles[p.species[i]];
+      force = ratio * force + (ratio - 1) * outer_force(run.the_case, species, p.radius[i]);
+      p.creeping.mean_torque[i] *= ratio;
+    }
+  }
+}
+
+}  // namespace
+
 void solve_flow(CoupledRun& run) {
   run.now.cycles = 0;
   if (config::is_inertial(run.the_case)) {
     solve_with_inertia(run);
     return;
   }
-  constexpr Real pump_accuracy = 1e-3;
   const int most_turns = run.projection ? 1 : 3;  // a step of the fluid is made once
   for (int turn = 0; turn < most_turns; ++turn) {
+    if (!run.cold && !pump_keeps_rate(run)) {
+      turn_pump(run);
+    }
     const flow::Drive drive = scaled(run.drive, run.state.drive_factor);
     if (run.projection) {
       project_once(run, drive);
@@ -198,13 +230,9 @@ void solve_flow(CoupledRun& run) {
       take_motions(run, run.solver.sphere_motions());
     }
     run.now.darcy = measure_darcy(run.the_case, run.domain, drive, run.solver);
-    if (run.wanted_rate == 0 ||
-        std::abs(run.now.darcy.flow_rate / run.wanted_rate - 1) < pump_accuracy) {
+    if (pump_keeps_rate(run)) {
       break;
     }
-    // A pump that finds no way out still turns up step by step, not at once.
-    const Real ratio = run.wanted_rate / run.now.darcy.flow_rate;
-    run.state.drive_factor *= ratio > 0 ? std::min(ratio, 2.0) : 2.0;
   }
   feed_inlets(run);
 }
