@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "dem/pair_state.hpp"
 #include "dem/system.hpp"
 
 namespace porefines::dem {
@@ -15,6 +14,11 @@ namespace {
 
 /// Substep times the fastest relaxation rate of the contacts: explicit Euler is stable below 2.
 constexpr Real stability = 0.5;
+
+/// A step in which something touches has so many substeps at least, each at most so much longer than
+/// the one before: the forces that a cluster hands on settle within it.
+constexpr Real fewest = 16;
+constexpr Real growth = 2;
 
 /// Steps that may be this much longer than the one before are extrapolated in full.
 constexpr Real longest_ahead = 2;
@@ -36,25 +40,13 @@ void extrapolate(Particles& p, Real dt) {
     c.way[i] = w + ahead * (w - c.drift[i]);
     c.way_spin[i] = s + ahead * (s - c.drift_spin[i]);
     c.drift[i] = w, c.drift_spin[i] = s, c.drift_step[i] = dt;
-    c.mean_force[i] = {}, c.mean_torque[i] = {};
+    c.mean_force[i] = {}, c.mean_torque[i] = {}, c.mean_velocity[i] = {};
   }
 }
 
-/// Velocities that balance the present contact forces. Held particles keep theirs.
-void balance(Particles& p) {
-  const Creeping& c = p.creeping;
-  for (std::size_t i = 0; i < p.owned; ++i) {
-    if (p.inverse_mass[i] > 0) {
-      p.velocity[i] = c.way[i] + (p.force[i] + p.external_force[i]) / c.resistance[i];
-      p.angular_velocity[i] =
-          c.way_spin[i] + (p.torque[i] + p.external_torque[i]) / c.spin_resistance[i];
-    }
-  }
-}
-
-/// x += step U; the forces of the substep count by its share of the step.
+/// x += step U
 /// @return the largest speed [m/s]; infinite when one is not a number
-Real move(Particles& p, Real step, Real share) {
+Real move(Particles& p, Real step) {
   Real fastest = 0;
   bool finite = true;
   for (std::size_t i = 0; i < p.owned; ++i) {
@@ -62,10 +54,17 @@ Real move(Particles& p, Real step, Real share) {
     fastest = std::max(fastest, speed);
     finite = finite && speed < std::numeric_limits<Real>::max();
     p.position[i] += step * p.velocity[i];
-    p.creeping.mean_force[i] += share * p.force[i];
-    p.creeping.mean_torque[i] += share * p.torque[i];
   }
   return finite ? std::sqrt(fastest) : std::numeric_limits<Real>::infinity();
+}
+
+/// A substep counts by its share of the step, with the forces at its end: what an implicit rule applies.
+void add_to_mean(Particles& p, Real share) {
+  for (std::size_t i = 0; i < p.owned; ++i) {
+    p.creeping.mean_force[i] += share * p.force[i];
+    p.creeping.mean_torque[i] += share * p.torque[i];
+    p.creeping.mean_velocity[i] += share * p.velocity[i];
+  }
 }
 
 }  // namespace
@@ -76,43 +75,37 @@ void System::start_creeping() {
   particles_.resize(particles_.owned);
 }
 
-/// The next substep: stable for the stiffness of the contacts, and no pair comes too near in it.
-Real System::creep_limit(Real left, Real allowed) {
+/// The next substep: at most `longest`, and no pair comes too near in it.
+Real System::creep_limit(Real longest, Real allowed) {
   const Particles& p = particles_;
-  stiffness_.assign(p.size(), 0);
-  Real step = left;
+  Real step = longest;
   const auto limit = [&](Real gap, Real closing) {
     if (closing > 0) {
       step = std::min(step, (std::max(gap, 0.0) + allowed) / closing);
     }
   };
-  const auto stiffness = [&](const PairMaterial& pair, const ContactState& c) {
-    const auto r = std::visit([&](const auto& n) { return n(pair, c); }, settings_.model.normal);
-    return std::max(r.stiffness, 1.75 * r.shear_stiffness);  // sliding and turning both give way
-  };
   pairs_.for_near([&](std::uint32_t i, std::uint32_t j) {
     const Vec3 d = p.position[i] - p.position[j];
-    const Real gap = norm(d) - p.radius[i] - p.radius[j];
-    limit(gap, -dot(d, p.velocity[i] - p.velocity[j]) / norm(d));
-    if (gap < 0) {
-      const PairMaterial& pair = settings_.materials.pair(p.species[i], p.species[j]);
-      const Real k = stiffness(pair, pair_state(p, i, j));
-      stiffness_[i] += k, stiffness_[j] += k;
-    }
+    const Real distance = norm(d);
+    limit(distance - p.radius[i] - p.radius[j], -dot(d, p.velocity[i] - p.velocity[j]) / distance);
   });
-  walls_.for_near(p, window_, moved_, [&](std::uint32_t i, const Touch& touch, int species) {
+  walls_.for_near(p, window_, moved_, [&](std::uint32_t i, const Touch& touch, int /*species*/) {
     limit(touch.gap, -dot(touch.normal, p.velocity[i] - touch.velocity));
-    if (touch.gap < 0) {
-      const PairMaterial& pair = settings_.materials.pair(p.species[i], species);
-      stiffness_[i] += stiffness(pair, wall_state(p, i, touch));
-    }
   });
-  for (std::size_t i = 0; i < p.owned; ++i) {
-    if (stiffness_[i] > 0) {
-      step = std::min(step, stability * p.creeping.resistance[i] / stiffness_[i]);
+  // Rolling resistance is not in the implicit rule: then the explicit bound holds.
+  const bool rolls = !std::holds_alternative<Unresisted>(settings_.model.rolling);
+  for (std::size_t i = 0; rolls && i < p.owned; ++i) {
+    if (balance_.stiffness(i) > 0) {
+      step = std::min(step, stability * p.creeping.resistance[i] / balance_.stiffness(i));
     }
   }
   return comm_.min(step);
+}
+
+/// Contact forces where the particles are, their springs stretched over the substep that led there.
+void System::creep_forces(Real stretched) {
+  particles_.clear_forces();
+  contact_forces({stretched, true});
 }
 
 CreepReport System::creep(Real dt, Real allowed_approach) {
@@ -128,19 +121,22 @@ CreepReport System::creep(Real dt, Real allowed_approach) {
   extrapolate(particles_, dt);
   walls_.forget_sights();
   CreepReport report{0, dt};
-  Real before = 0;  // the substep over which springs have stretched
+  creep_forces(0);
+  Real longest = dt / fewest;
   for (Real left = dt; left > 0; ++report.substeps, ++work_.steps) {
-    particles_.clear_forces();
-    contact_forces({before, true});
-    balance(particles_);
+    const Real wanted = std::min(left, longest);
+    balance_.collect(particles_, pairs_, walls_, settings_.model, settings_.materials, wanted);
+    balance_.solve(particles_, wanted, exchange_, comm_);
     exchange_.refresh(particles_, false);
-    const Real step = creep_limit(left, allowed_approach);
-    const Real fastest = move(particles_, step, step / dt);
+    const Real step = creep_limit(balance_.none() ? left : wanted, allowed_approach);
+    const Real fastest = move(particles_, step);
     walls_.advance(step);
     update_lists(fastest, step);
+    creep_forces(step);
+    add_to_mean(particles_, step / dt);
     report.shortest = std::min(report.shortest, step);
     left = step < left ? left - step : 0;
-    before = step;
+    longest = std::min(dt / fewest, growth * step);
   }
   check_walls();
   return report;

@@ -39,6 +39,7 @@ struct Creeping {
   AlignedVector<Real> spin_resistance;  ///< [N m s] e.g. 8 pi mu a^3
   AlignedVector<Vec3> mean_force;       ///< [N] mean contact force of the step: tell the next solve
   AlignedVector<Vec3> mean_torque;      ///< [N m]
+  AlignedVector<Vec3> mean_velocity;    ///< [m/s] way of the step over its length
   AlignedVector<Vec3> drift;            ///< [m/s] W = U* - F*/R of the step before
   AlignedVector<Vec3> drift_spin;       ///< [rad/s]
   AlignedVector<Real> drift_step;       ///< [s] length of that step; 0: there was none
@@ -50,6 +51,7 @@ struct Creeping {
     visit(self.free_velocity), visit(self.free_spin), visit(self.told_force);
     visit(self.told_torque), visit(self.resistance), visit(self.spin_resistance);
     visit(self.mean_force), visit(self.mean_torque);
+    visit(self.mean_velocity);
     visit(self.drift), visit(self.drift_spin), visit(self.drift_step);
     visit(self.way), visit(self.way_spin);
   }

@@ -7,6 +7,7 @@
 
 #include "dem/box.hpp"
 #include "dem/contact_model.hpp"
+#include "dem/creep_balance.hpp"
 #include "dem/exchange.hpp"
 #include "dem/kept_contacts.hpp"
 #include "dem/pair_contacts.hpp"
@@ -117,8 +118,8 @@ class System {
   ///     U = W + (F_contact + F_external)/R,    W = U* - F*/R extrapolated by AB2
   ///
   /// and the same for rotation. In: Particles::creeping's U*, F*, R and their rotational partners.
-  /// Positions advance in substeps, shorter than R/(2 sum of contact stiffnesses) and such that no
-  /// pair comes nearer by more than `allowed_approach` in one of them; without contacts, in one.
+  /// Positions advance in substeps by the linearly implicit rule of CreepBalance, such that no pair
+  /// comes nearer by more than `allowed_approach` in one of them; without contacts, in one.
   /// Out: mean_force and mean_torque, the contact forces averaged over the step: what the next solve
   /// is told as F*. Inertia, dashpots and gravity play no part (algorithm.md section 5).
   /// Tests: verification/dem_overdamped, mpi/dem.
@@ -166,7 +167,8 @@ class System {
   void contact_forces(const Evaluation& evaluation);
   void prepare();
   void find_contacts();
-  [[nodiscard]] Real creep_limit(Real left, Real allowed);
+  void creep_forces(Real stretched);
+  [[nodiscard]] Real creep_limit(Real longest, Real allowed);
   void check_walls() const;
 
   par::Communicator comm_;
@@ -179,7 +181,7 @@ class System {
   bool moves_ = false;  ///< it has begun: the skin stays
   bool lists_hold_ = false;
   bool forces_hold_ = false;
-  std::vector<Real> stiffness_;  ///< [N/m] of all contacts of each particle, for creep_limit
+  CreepBalance balance_;
   Real skin_ = 0;
   Real moved_ = 0;         ///< [m] since the lists were built, at most, by any particle
   Real window_ = 0;        ///< [m] pairs nearer than this were kept by the last narrowing

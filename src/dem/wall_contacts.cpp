@@ -162,7 +162,7 @@ void WallContacts::match(const Candidate& c, const TouchList& touches, const Add
 
 void WallContacts::add_forces(const ContactModel& model, const MaterialTable& materials,
                               const Evaluation& evaluation, Real moved, Particles& p) {
-  next_.clear();
+  next_.clear(), standing_.clear();
   with_law(model, [&](const auto& law) {
     static thread_local ContactBatch b{};
     std::array<Filled, batch_width> filled;
@@ -196,6 +196,7 @@ void WallContacts::add_forces(const ContactModel& model, const MaterialTable& ma
           const int k = b.count++;
           fill(wall_state(p, c.particle, touch), k, b);
           if (evaluation.creeping) {
+            standing_.push_back(touch);
             b.mass[k] = 0;
             b.inertia[k] = p.creeping.spin_resistance[c.particle] * std::max(evaluation.dt, 1e-30);
           }

@@ -63,6 +63,15 @@ class WallContacts {
       }
     }
   }
+  /// Calls visit(i, touch, wall's species, history) for every touch of the last creeping evaluation.
+  template <typename Visit>
+  void for_standing(const Visit& visit) const {
+    for (const Candidate& c : candidates_) {
+      for (std::uint32_t e = c.first; e < c.first + c.count; ++e) {
+        visit(c.particle, standing_[e], species_[c.surface], entries_[e].history);
+      }
+    }
+  }
   /// The contacts as the law sees them, found afresh: for sums and records.
   using Report = std::function<void(std::uint32_t particle, const PairMaterial& pair,
                                     const ContactState& contact, const ContactHistory& history,
@@ -121,6 +130,7 @@ class WallContacts {
   std::vector<std::uint8_t> is_still_;  ///< of every surface: it does not move
   std::vector<Entry> entries_;
   std::vector<Entry> next_;
+  std::vector<Touch> standing_;  ///< of every entry, where particles creep
   TouchList touches_;
   WallTrouble trouble_;
   Real ahead_ = 0;  ///< [m] how far around a particle that does not touch is searched

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "flow/inertial_flow.hpp"
-#include "flow/six.hpp"
+#include "core/six.hpp"
 
 namespace porefines::flow {
 

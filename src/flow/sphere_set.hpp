@@ -9,7 +9,7 @@
 
 #include "core/types.hpp"
 #include "flow/boundary.hpp"
-#include "flow/six.hpp"
+#include "core/six.hpp"
 #include "grid/block.hpp"
 #include "par/communicator.hpp"
 #include "par/decomposition.hpp"

@@ -184,8 +184,7 @@ namespace {
 
 bool pump_keeps_rate(const CoupledRun& run) {
   constexpr Real accuracy = 1e-3;
-  return run.wanted_rate == 0 ||
-         std::abs(run.now.darcy.flow_rate / run.wanted_rate - 1) < accuracy;
+  return run.wanted_rate == 0 || std::abs(run.now.darcy.flow_rate / run.wanted_rate - 1) < accuracy;
 }
 
 /// Drive and contact forces in one ratio: F* of a caught sphere, which balances the drag on it, goes

@@ -17,6 +17,30 @@ namespace {
 /// Share of the largest overlap by which two particles may come nearer in one substep.
 constexpr Real approach_share = 0.25;
 
+/// How much longer than the last the next step may be. Not suddenly longer: forces on what has just been
+/// caught settle first. And what is held back by grains, so slow that its travel would allow any step,
+/// feels the flow change on its little way: with dU*/dx dt above 1 it swings about its place, above 2
+/// ever more. Its velocity then turns round from step to step, by |U* - U|/|U| = |dU*/dx| dt.
+Real growth_of_step(const CoupledRun& run, Real last) {
+  constexpr Real growth = 2;
+  constexpr Real noticed = 1e-3;  // of the travel that is allowed
+  constexpr Real slow = 0.25;
+  const dem::Particles& p = run.particles.system.particles();
+  const dem::Creeping& c = p.creeping;
+  const Vec3& h = run.domain.spacing;
+  const Real way = run.the_case.coupling.travel * std::min({h.x, h.y, h.z});
+  Real answer = 1 / growth;
+  for (std::size_t i = 0; i < p.owned; ++i) {
+    const Vec3& was = c.mean_velocity[i];
+    const Real speed = norm(was);
+    const bool crawls = speed * last > noticed * way && speed * last < slow * way;
+    if (crawls && !p.is_fixed(i) && dot(was, c.free_velocity[i]) < 0) {
+      answer = std::max(answer, norm(c.free_velocity[i] - was) / speed);
+    }
+  }
+  return std::max(1 / run.comm().max(answer), 1 / growth);
+}
+
 }  // namespace
 
 Real choose_step(const CoupledRun& run) {
@@ -37,13 +61,11 @@ Real choose_step(const CoupledRun& run) {
       fastest = std::max(fastest, inlet.fastest_flow);
     }
   }
-  // Not suddenly longer: forces on what has just been caught settle first.
-  constexpr Real growth = 2;
   const Real last = run.particles.state.step;
   const Real left = next_sample(run.particles) - run.time();
   const Real way = run.the_case.coupling.travel * std::min({h.x, h.y, h.z});
   Real longest = fastest * left > way ? way / fastest : left;
-  longest = last > 0 ? std::min(longest, growth * last) : longest;
+  longest = last > 0 ? std::min(longest, growth_of_step(run, last) * last) : longest;
   return left / std::max(std::ceil(left / longest - 1e-9), 1.0);  // equal steps to the sample
 }
 

@@ -87,6 +87,20 @@ TEST_F(Coupled, a_pump_keeps_its_rate) {
   EXPECT_NEAR(number(summary(), "flow_rate_m3_s") / 0.5e-12, 1, 1e-3);
 }
 
+TEST_F(Coupled, a_pump_against_a_plugged_throat_settles) {
+  place(9e-6);
+  std::string content = throat_case;
+  content.replace(content.find("pressure = \"10 Pa\""), 18, "flow_rate = \"0.5 nL/s\"");
+  const auto result = run(content, {"run.end_time=20 ms"});
+  ASSERT_EQ(result.exit_code, 0) << result.output;
+  const std::string json = summary();
+  EXPECT_EQ(number(json, "wall_contacts"), 2);
+  EXPECT_NEAR(number(json, "flow_rate_m3_s") / 0.5e-12, 1, 1e-3);
+  EXPECT_LT(number(json, "mean_speed_m_s"),
+            1e-3 * number(json, "flow_rate_m3_s") / (24e-6 * 12e-6));
+  EXPECT_LT(number(json, "contact_substeps"), 2000) << "a clog at rest is no work for the contacts";
+}
+
 TEST_F(Coupled, limits_end_the_run_with_their_reason) {
   const auto result = run(slit_case, {"run.max_pore_volumes=0.2"});
   ASSERT_EQ(result.exit_code, 0) << result.output;

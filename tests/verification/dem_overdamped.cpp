@@ -133,7 +133,50 @@ TEST(Overdamped, a_column_carries_the_drag_of_all_above) {
     EXPECT_NEAR(norm(contact.force) / (above * drag * 1e-3), 1, 1e-3);
   }
   EXPECT_EQ(system.contacts().size(), 5U);
-  EXPECT_LT(substeps, 60 * 1000);
+  EXPECT_LT(substeps, 60 * 30) << "springs of contacts do not shorten substeps";
+}
+
+TEST(Overdamped, a_sphere_pressed_onto_a_wall_slides_or_rolls) {
+  // Pressed by W_z = -W_x. Friction T = mu R W holds it back and turns it: U = W - T/R, a w = a^2 T/S.
+  // It rolls when it can: T (1/R + a^2/S) = W, so T = 4/7 R W.
+  for (const Real mu : {0.3, 0.9}) {
+    Settings s = cube(20 * d, false, {"polystyrene", 3.4e9, 0.33}, {0.9, mu});
+    s.materials.soften(dem::softening_for_force(s.materials.pair(0, 0), d / 2, drag * 1e-3, 0.005));
+    s.walls.emplace_back(dem::Primitives{dem::Plane{{0, 0, 0}, {0, 0, 1}}});
+    System system(par::Communicator::self(), s);
+    system.start_creeping();
+    system.insert(std::vector<Body>{sphere(1, {4 * d, 10 * d, 0.5 * d}, d / 2, 1050)});
+    for (int n = 0; n < 20; ++n) {
+      solve(system, [](const Vec3&) { return Vec3{1e-3, 0, -1e-3}; });
+      (void)system.creep(0.05 * d / 1e-3, 1e-3 * d);
+    }
+    const auto& p = system.particles();
+    const Real held = std::min(mu, 4.0 / 7);
+    EXPECT_NEAR(p.creeping.mean_velocity[0].x / 1e-3, 1 - held, 2e-3) << mu;
+    EXPECT_NEAR(p.angular_velocity[0].y * d / 2 / 1e-3, 0.75 * held, 2e-3) << mu;
+    EXPECT_NEAR(p.creeping.mean_force[0].x / (-drag * 1e-3), held, 2e-3) << mu;
+    EXPECT_NEAR(p.velocity[0].z / 1e-3, 0, 1e-3) << mu;
+  }
+}
+
+TEST(Overdamped, spheres_that_press_each_other_travel_together) {
+  const Settings s = soft_settings();
+  System system(par::Communicator::self(), s);
+  system.start_creeping();
+  system.insert(std::vector<Body>{sphere(1, {4 * d, 10 * d, 10 * d}, d / 2, 1050),
+                                  sphere(2, {5 * d, 10 * d, 10 * d}, d / 2, 1050)});
+  for (int n = 0; n < 20; ++n) {  // the one behind is pushed twice as fast: both go at the mean
+    solve(system, [&](const Vec3& x) {
+      const bool behind =
+          x.x < std::max(system.particles().position[0].x, system.particles().position[1].x);
+      return Vec3{behind ? 2e-3 : 1e-3, 0, 0};
+    });
+    (void)system.creep(0.05 * d / 1e-3, 1e-3 * d);
+  }
+  for (const int i : {0, 1}) {
+    EXPECT_NEAR(system.particles().velocity[i].x / 1.5e-3, 1, 1e-5);
+  }
+  EXPECT_NEAR(norm(system.contacts().at(0).force) / (drag * 0.5e-3), 1, 1e-4);
 }
 
 TEST(Overdamped, stokes_number_and_softening) {

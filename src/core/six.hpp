@@ -6,7 +6,7 @@
 
 #include "core/types.hpp"
 
-namespace porefines::flow {
+namespace porefines {
 
 /// Translation and rotation of a rigid sphere, or force and torque on it: (x, y, z, about x, y, z).
 using Six = std::array<Real, 6>;
@@ -39,11 +39,11 @@ using SixBySix = std::array<Real, 36>;
 [[nodiscard]] Six times(const SixBySix& a, const Six& x);
 
 /// L of a symmetric positive matrix A = L L^T. A semi-definite one (a sphere almost outside the grid)
-/// is made definite by 1e-9 of its trace.
-[[nodiscard]] SixBySix cholesky(SixBySix a);
+/// is made definite by `ridge` times its trace.
+[[nodiscard]] SixBySix cholesky(SixBySix a, Real ridge = 1e-9);
 /// x of L x = b and of L^T x = b.
 [[nodiscard]] Six solve_lower(const SixBySix& lower, Six b);
 [[nodiscard]] Six solve_upper(const SixBySix& lower, Six b);
 [[nodiscard]] SixBySix inverse_from(const SixBySix& lower);
 
-}  // namespace porefines::flow
+}  // namespace porefines

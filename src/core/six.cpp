@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MPL-2.0
-#include "flow/six.hpp"
+#include "core/six.hpp"
 
 #include <cmath>
 
-namespace porefines::flow {
+namespace porefines {
 
 Six times(const SixBySix& a, const Six& x) {
   Six y{};
@@ -15,12 +15,12 @@ Six times(const SixBySix& a, const Six& x) {
   return y;
 }
 
-SixBySix cholesky(SixBySix a) {
+SixBySix cholesky(SixBySix a, Real ridge) {
   Real trace = 0;
   for (int i = 0; i < 6; ++i) {
     trace += a[7 * i];
   }
-  const Real ridge = trace > 0 ? 1e-9 * trace : 1;
+  ridge = trace > 0 ? ridge * trace : 1;
   SixBySix lower{};
   for (int i = 0; i < 6; ++i) {
     a[7 * i] += ridge;
@@ -68,4 +68,4 @@ SixBySix inverse_from(const SixBySix& lower) {
   return inverse;
 }
 
-}  // namespace porefines::flow
+}  // namespace porefines
