@@ -66,7 +66,7 @@ class CreepBalance {
   };
   Body* body_of(const Particles& particles, std::size_t i);
   void begin(const Particles& particles, Real dt);
-  void apply(Particles& particles, Real dt, Six Body::*to);
+  void apply(Particles& particles, Real dt, Six Body::*x);
   void drift_alone(Particles& particles) const;
 
   std::vector<std::int32_t> place_;  ///< of a particle's body; -1: it touches nothing
