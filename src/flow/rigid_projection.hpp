@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "flow/inertial_flow.hpp"
 #include "core/six.hpp"
+#include "flow/inertial_flow.hpp"
 
 namespace porefines::flow {
 

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
+#include "core/six.hpp"
 #include "core/types.hpp"
 #include "flow/boundary.hpp"
-#include "core/six.hpp"
 #include "grid/block.hpp"
 #include "par/communicator.hpp"
 #include "par/decomposition.hpp"
