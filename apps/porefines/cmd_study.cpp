@@ -19,7 +19,7 @@ void add_study(CLI::App& app, int& code) {
   command->footer(
       "Examples:\n"
       "  porefines study studies/clogging/study.toml --dry-run   members, time, memory\n"
-      "  porefines study studies/clogging/study.toml -o out/clogging\n"
+      "  porefines study studies/clogging/study.toml -o out/clogging seeds=2\n"
       "Stopped or killed, the same command goes on. docs/study.md explains the file.");
   struct Arguments {
     std::string file;
@@ -27,6 +27,8 @@ void add_study(CLI::App& app, int& code) {
   };
   auto arguments = std::make_shared<Arguments>();
   command->add_option("STUDY.toml", arguments->file, "the study file")->required();
+  command->add_option("key=value", arguments->options.overrides,
+                      "values of the study file, e.g. seeds=2");
   command->add_option("-o,--output", arguments->options.output_dir,
                       "output folder; the default is output_dir of the study");
   command->add_flag("--dry-run", arguments->options.dry_run,

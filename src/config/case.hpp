@@ -109,6 +109,13 @@ struct Flow {
   friend bool operator==(const Flow&, const Flow&) = default;
 };
 
+/// [[drive]]: what drives the flow is multiplied by a factor from some time on.
+struct DriveChange {
+  Real from = -1;   ///< [s]
+  Real factor = 1;  ///< on the drive of the case, not on the one before; below 0: backwards
+  friend bool operator==(const DriveChange&, const DriveChange&) = default;
+};
+
 enum class AdvectionScheme { automatic, linear, lust };
 enum class TimeScheme { euler, bdf2, midpoint };
 
@@ -179,6 +186,7 @@ struct Case {
   Fluid fluid;
   Flow flow;
   Inertia inertia;
+  std::vector<DriveChange> drive;
   std::vector<ProbePoint> probe;
   Coupling coupling;
   Clogging clogging;

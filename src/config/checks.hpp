@@ -14,6 +14,9 @@ void check_faces(const Flow& flow, const Node& given);
 /// of which one has a pressure.
 void check_drive(const Flow& flow, const Node& given);
 
+/// [[drive]] is for creeping flows with particles, its times rise, and something always drives.
+void check_drive_changes(const Case& subject, const Node& given);
+
 /// Species, injections, walls and the faces of the box, each by itself.
 void check_particles(const Case& subject, const Node& given);
 

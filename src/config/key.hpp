@@ -46,6 +46,7 @@ struct Key {
 [[nodiscard]] std::vector<Key> flow_keys();
 [[nodiscard]] std::vector<Key> clogging_keys();
 [[nodiscard]] std::vector<Key> inertia_keys();
+[[nodiscard]] Key drive_key();
 [[nodiscard]] Key probe_key();
 [[nodiscard]] std::vector<Key> later_keys();
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MPL-2.0
 #include <fmt/format.h>
 
-#include "config/key.hpp"
+#include "config/item_key.hpp"
 
 namespace porefines::config {
 namespace {
@@ -184,6 +184,17 @@ std::vector<Key> flow_keys() {
                               kind::length, above_zero, "a hundredth of the smaller radius",
                               "smallest gap that lubrication knows, the height of asperities"));
   return keys;
+}
+
+Key drive_key() {
+  constexpr Range factors{-1e6, 1e6};
+  return list_key<DriveChange>(
+      "drive", &Case::drive,
+      {quantity_item("from", &DriveChange::from, kind::time, not_negative, "required",
+                     "the first solve at this time or after it"),
+       quantity_item("factor", &DriveChange::factor, kind::number, factors, "",
+                     "on the pressures, rate or gradient that [flow] says; below 0: backwards")},
+      "Changes of what drives a creeping flow with particles; a restart may say them anew");
 }
 
 std::vector<Key> clogging_keys() {

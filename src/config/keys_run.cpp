@@ -72,6 +72,7 @@ std::vector<Key> run_keys() {
       particles_key(),
       injection_key(),
       surface_key(),
+      drive_key(),
       probe_key(),
       {"run.output_dir", "text",
        "folder of the results, relative to the working directory; `-o` overrides it",

@@ -99,6 +99,7 @@ void check_cells(const Grid& grid, const Geometry& geometry, const Node& given) 
 void validate(const Case& subject, const Node& given) {
   check_geometry(subject.geometry, given);
   check_particles(subject, given);
+  check_drive_changes(subject, given);
   if (is_dry(subject)) {
     check_dry(subject, given);
     return;

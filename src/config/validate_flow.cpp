@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "config/checks.hpp"
-#include "config/key.hpp"
+#include "config/item_key.hpp"
 
 namespace porefines::config {
 namespace {
@@ -161,6 +161,32 @@ void check_drive(const Flow& flow, const Node& given) {
     fail(place_of(given, any(flow.periodic) ? "flow.pressure_gradient" : "flow.inlet"),
          "nothing drives the flow",
          "give inlet and outlet, or a pressure_gradient along a periodic axis");
+  }
+}
+
+void check_drive_changes(const Case& subject, const Node& given) {
+  if (subject.drive.empty()) {
+    return;
+  }
+  if (!is_coupled(subject) || is_inertial(subject)) {
+    fail(place_of(given, "drive"), "is for a creeping flow with particles",
+         "without particles, and with inertia, one drive stays from the beginning to the end");
+  }
+  Real last = -1;
+  for (std::size_t i = 0; i < subject.drive.size(); ++i) {
+    const Node& item = item_node(given, "drive", i);
+    const DriveChange& change = subject.drive[i];
+    if (change.from < 0) {
+      fail(item.place, "needs a time", "from = \"0.1 s\"");
+    }
+    if (change.from <= last) {
+      fail(place_of(item, "from"), "is not after the one before", "list changes by rising time");
+    }
+    if (change.factor == 0) {
+      fail(place_of(item, "factor"), "is zero: nothing would drive the flow",
+           "a small factor, such as 1e-3, if it should almost stop");
+    }
+    last = change.from;
   }
 }
 

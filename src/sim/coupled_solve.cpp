@@ -180,30 +180,55 @@ void feed_inlets(CoupledRun& run) {
   }
 }
 
+Real CoupledRun::drive_at(Real moment) const {
+  Real factor = 1;
+  for (const config::DriveChange& change : the_case.drive) {
+    factor = moment >= change.from ? change.factor : factor;
+  }
+  return factor;
+}
+
 namespace {
 
 bool pump_keeps_rate(const CoupledRun& run) {
   constexpr Real accuracy = 1e-3;
-  return run.wanted_rate == 0 || std::abs(run.now.darcy.flow_rate / run.wanted_rate - 1) < accuracy;
+  const Real wanted = run.wanted_rate * run.drive_now();
+  return wanted == 0 || std::abs(run.now.darcy.flow_rate / wanted - 1) < accuracy;
 }
 
-/// Drive and contact forces in one ratio: F* of a caught sphere, which balances the drag on it, goes
-/// with the pressure. Were F* kept, the sphere would be told to give way to the difference, the rate
-/// would answer as if nothing were caught, and the pump would swing. A touching sphere has
-/// F* = -(F_drag + F_outer), and F_drag goes with the pressure.
-void turn_pump(CoupledRun& run) {
-  // A pump that finds no way out still turns up step by step, not at once.
-  const Real asked = run.wanted_rate / run.now.darcy.flow_rate;
-  const Real ratio = asked > 0 ? std::min(asked, 2.0) : 2.0;
-  run.state.drive_factor *= ratio;
+/// Contact forces in the ratio of a drive that was turned: F* of a caught sphere, which balances the drag on
+/// it, goes with the pressure. Were F* kept, the sphere would be told to give way to the difference, the rate
+/// would answer as if nothing were caught, and a pump would swing. A touching sphere has
+/// F* = -(F_drag + F_outer), and F_drag goes with the pressure. What a flow back takes along presses on nothing;
+/// kept, F* would fade in hundreds of steps only.
+void turn_contacts(CoupledRun& run, Real ratio) {
   dem::Particles& p = run.particles.system.particles();
   for (std::size_t i = 0; i < p.owned; ++i) {
     Vec3& force = p.creeping.mean_force[i];
-    if (dot(force, force) > 0) {
+    if (ratio < 0) {
+      force = p.creeping.mean_torque[i] = Vec3{};
+    } else if (dot(force, force) > 0) {
       const auto& species = run.the_case.particles[p.species[i]];
       force = ratio * force + (ratio - 1) * outer_force(run.the_case, species, p.radius[i]);
       p.creeping.mean_torque[i] *= ratio;
     }
+  }
+}
+
+void turn_pump(CoupledRun& run) {
+  // A pump that finds no way out still turns up step by step, not at once.
+  const Real asked = run.wanted_rate * run.drive_now() / run.now.darcy.flow_rate;
+  const Real ratio = asked > 0 ? std::min(asked, 2.0) : 2.0;
+  run.state.drive_factor *= ratio;
+  turn_contacts(run, ratio);
+}
+
+/// What [[drive]] changed since the last solve.
+void follow_drive(CoupledRun& run) {
+  const Real ratio = run.drive_now() / run.drive_at(run.time() - run.particles.state.step);
+  if (!run.cold && ratio != 1) {
+    turn_contacts(run, ratio);
+    run.now.darcy.flow_rate *= ratio;  // what the pump has to expect
   }
 }
 
@@ -215,12 +240,13 @@ void solve_flow(CoupledRun& run) {
     solve_with_inertia(run);
     return;
   }
+  follow_drive(run);
   const int most_turns = run.projection ? 1 : 3;  // a step of the fluid is made once
   for (int turn = 0; turn < most_turns; ++turn) {
     if (!run.cold && !pump_keeps_rate(run)) {
       turn_pump(run);
     }
-    const flow::Drive drive = scaled(run.drive, run.state.drive_factor);
+    const flow::Drive drive = scaled(run.drive, run.state.drive_factor * run.drive_now());
     if (run.projection) {
       project_once(run, drive);
     } else {

@@ -49,7 +49,11 @@ void soften(CoupledRun& run) {
   const Real viscous = run.the_case.fluid.viscosity * std::abs(run.state.clean_rate) *
                        run.domain.size()[run.domain.axis] /
                        (run.state.clean_permeability * run.domain.area());
-  const Real push = std::max(std::abs(drop), viscous) * std::numbers::pi * radius * radius;
+  Real most = 1;
+  for (const config::DriveChange& change : run.the_case.drive) {
+    most = std::max(most, std::abs(change.factor));
+  }
+  const Real push = most * std::max(std::abs(drop), viscous) * std::numbers::pi * radius * radius;
   Real factor = 1;
   const dem::MaterialTable& table = run.particles.system.settings().materials;
   for (std::size_t a = 0; a < run.the_case.particles.size(); ++a) {

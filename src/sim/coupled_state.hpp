@@ -62,6 +62,9 @@ struct CoupledRun {
 
   [[nodiscard]] const par::Communicator& comm() const { return particles.comm; }
   [[nodiscard]] Real time() const { return particles.state.time; }
+  /// Of [[drive]]: what drives the case times this drives it at a time.
+  [[nodiscard]] Real drive_at(Real moment) const;
+  [[nodiscard]] Real drive_now() const { return drive_at(time()); }
   [[nodiscard]] Real pore_volumes() const { return state.fluid_passed / pore_volume; }
   /// NaN where nothing drives the fluid.
   [[nodiscard]] Real permeability_ratio() const {

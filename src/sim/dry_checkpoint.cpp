@@ -60,6 +60,7 @@ std::vector<std::string> entries(const std::string& text) {
   constexpr std::array may_differ{"title",
                                   "reference",
                                   "output",
+                                  "drive",
                                   "run.output_dir",
                                   "run.end_time",
                                   "run.max_wall",

@@ -25,7 +25,7 @@ void get_run(const io::CheckpointReader& reader, DryRun& run);
 void go_on(DryRun& run, const std::string& folder);
 
 /// The first line that differs between two effective cases: "contact.friction was ..., is ...", or "".
-/// When and where results are written may differ, and the time at which the run ends.
+/// When and where results are written may differ, the time at which the run ends, and [[drive]].
 /// Test: unit/same_case.
 [[nodiscard]] std::string difference_of_cases(const std::string& before, const std::string& now);
 

@@ -82,8 +82,12 @@ void check(const Study& study, const Node& root) {
 
 }  // namespace
 
-Study parse_study(const std::string& text, const std::string& path) {
-  const Node root = config::parse_toml(text, path);
+Study parse_study(const std::string& text, const std::string& path,
+                  const std::vector<std::string>& overrides) {
+  Node root = config::parse_toml(text, path);
+  for (const std::string& assignment : overrides) {
+    config::apply_override(root, assignment);
+  }
   (void)config::read_table(root, known);
   Study study;
   study.path = path;
@@ -117,13 +121,13 @@ Study parse_study(const std::string& text, const std::string& path) {
   return study;
 }
 
-Study read_study(const std::string& path) {
+Study read_study(const std::string& path, const std::vector<std::string>& overrides) {
   std::ifstream file(path);
   if (!file || fs::is_directory(path)) {
     throw InputError(
         fmt::format("{}: cannot be read; the first argument is a study file in TOML", path));
   }
-  return parse_study({std::istreambuf_iterator<char>(file), {}}, path);
+  return parse_study({std::istreambuf_iterator<char>(file), {}}, path, overrides);
 }
 
 }  // namespace porefines::study

@@ -111,7 +111,7 @@ void write_results(const Study& study, const std::vector<Member>& members,
 }  // namespace
 
 int run_study(const std::string& path, const StudyOptions& options) {
-  const Study study = read_study(path);
+  const Study study = read_study(path, options.overrides);
   const std::vector<Member> members = expand(study);
   const std::string output = options.output_dir.empty() ? study.output_dir : options.output_dir;
   make_folder(output);

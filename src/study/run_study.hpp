@@ -2,12 +2,14 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace porefines::study {
 
 struct StudyOptions {
-  std::string output_dir;  ///< replaces that of the file
-  bool dry_run = false;    ///< members, time and memory; runs nothing
+  std::string output_dir;                   ///< replaces that of the file
+  bool dry_run = false;                     ///< members, time and memory; runs nothing
+  std::vector<std::string> overrides = {};  ///< "seeds=2"
 };
 
 /// Runs what is not done yet, side by side, and writes tables, statistics and charts of all that is.

@@ -54,8 +54,11 @@ struct Member {
 };
 
 /// @throws InputError  with file, line, key
-[[nodiscard]] Study read_study(const std::string& path);
-[[nodiscard]] Study parse_study(const std::string& text, const std::string& path);
+/// @param overrides  from the command line, "seeds=2", "axis.0.count=3", applied in order
+[[nodiscard]] Study read_study(const std::string& path,
+                               const std::vector<std::string>& overrides = {});
+[[nodiscard]] Study parse_study(const std::string& text, const std::string& path,
+                                const std::vector<std::string>& overrides = {});
 
 /// Every combination of the axes, `seeds` times; each is read as a case and so checked.
 ///

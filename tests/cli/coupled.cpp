@@ -71,6 +71,24 @@ TEST_F(Coupled, a_fine_larger_than_the_throat_is_sieved_and_stays) {
   EXPECT_LT(number(json, "max_overlap"), 0.01);
 }
 
+/// Nothing but contacts holds it, so four times the pressure holds it as well, pressed a little deeper; the
+/// flow back takes it along.
+TEST_F(Coupled, a_sieved_fine_stays_at_a_higher_drive_and_leaves_at_one_backwards) {
+  place(9e-6);
+  const std::string changes =
+      "[[drive]]\nfrom = \"10 ms\"\nfactor = 4\n[[drive]]\nfrom = \"13 ms\"\nfactor = -1\n";
+  ASSERT_EQ(run(throat_case + changes, {"run.end_time=9 ms"}).exit_code, 0);
+  const double before = number(summary(), "permeability_ratio");
+  EXPECT_LT(before, 0.3);
+  ASSERT_EQ(run(throat_case + changes, {"run.end_time=12 ms", "--restart"}).exit_code, 0);
+  EXPECT_LT(number(summary(), "permeability_ratio"), before);
+  EXPECT_NEAR(number(summary(), "pressure_drop_pa") / 40, 1, 0.1);
+  EXPECT_LT(number(summary(), "max_overlap"), 0.01);
+  ASSERT_EQ(run(throat_case + changes, {"run.end_time=24 ms", "--restart"}).exit_code, 0);
+  EXPECT_GT(number(summary(), "permeability_ratio"), 0.95);
+  EXPECT_EQ(number(summary(), "wall_contacts"), 0);
+}
+
 TEST_F(Coupled, a_fine_smaller_than_the_throat_passes) {
   place(6e-6);
   const auto result = run(throat_case);

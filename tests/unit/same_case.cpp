@@ -7,7 +7,8 @@ namespace porefines::sim {
 
 TEST(SameCase, only_what_changes_the_motion_must_be_the_same) {
   const std::string before =
-      "# effective case of \"a.toml\"\ntitle = \"a\"\noutput = []\n\n[run]\noutput_dir = \"out\"\n"
+      "# effective case of \"a.toml\"\ntitle = \"a\"\ndrive = []\noutput = []\n\n[run]\noutput_dir "
+      "= \"out\"\n"
       "end_time = \"1 s\"\nrandom_seed = 1\n\n[contact]\nfriction = 0.3\n\n[checkpoint]\nkeep = "
       "2\n";
   const auto with = [&](const std::string& old, const std::string& other) {
@@ -17,6 +18,7 @@ TEST(SameCase, only_what_changes_the_motion_must_be_the_same) {
   EXPECT_EQ(with("\"a.toml\"", "\"b.toml\""), "");
   EXPECT_EQ(with("\"1 s\"", "\"2 s\""), "");
   EXPECT_EQ(with("output = []", "output = [{}]"), "");
+  EXPECT_EQ(with("drive = []", "drive = [{ from = \"1 s\", factor = 2.0 }]"), "");
   EXPECT_EQ(with("keep = 2", "keep = 3"), "");
   EXPECT_EQ(with("friction = 0.3", "friction = 0.4"),
             "then: contact.friction = 0.3\nnow:  contact.friction = 0.4");

@@ -98,6 +98,17 @@ TEST_F(StudyFile, ranges_are_linear_or_logarithmic_with_their_unit) {
   EXPECT_EQ(values("from = 1\nto = 3\ncount = 3\n"), (Texts{"1", "2", "3"}));
 }
 
+TEST_F(StudyFile, values_of_the_command_line_win) {
+  const std::string text =
+      "case = \"case.toml\"\nseeds = 3\n[[axis]]\nkey = \"flow.inlet.pressure\"\nvalues = [\"10 "
+      "Pa\"]\n";
+  const Study study = parse_study(
+      text, folder_ / "study.toml",
+      {"seeds=2", "set=[\"fluid.viscosity=2 mPa s\"]", "axis.0.values=[\"10 Pa\", \"30 Pa\"]"});
+  EXPECT_EQ(expand(study).size(), 4U);
+  EXPECT_EQ(study.settings, std::vector<std::string>{"fluid.viscosity=2 mPa s"});
+}
+
 TEST_F(StudyFile, mistakes_name_their_line_and_what_to_try) {
   const auto expect = [&](const std::string& text, const std::string& part) {
     const std::string found = complaint(text);
