@@ -11,6 +11,7 @@ SEES = {
     "grid": {"core", "par"},
     "geom": {"core", "par", "grid"},
     "flow": {"core", "par", "grid"},
+    "mobility": {"core", "par", "flow"},
     "dem": {"core", "par", "grid", "geom"},
     "io": {"core", "par", "grid"},
     "analysis": {"core", "par", "grid", "geom", "io"},
@@ -20,8 +21,8 @@ SEES = {
     "vision": {"core", "config", "io", "report"},
     "sim": {"core", "config", "par", "grid", "geom", "flow", "dem", "io", "analysis", "report"},
     "interop": {"core", "config", "par", "geom", "flow", "sim"},
-    "page": {"core", "config", "geom", "io", "sim"},
-    "validate": {"core", "io", "page"},
+    "page": {"core", "config", "geom", "dem", "io", "sim"},
+    "validate": {"core", "io", "mobility", "page"},
 }
 
 

@@ -9,6 +9,7 @@
 #include "commands.hpp"
 #include "core/error.hpp"
 #include "ranks.hpp"
+#include "validate/measure.hpp"
 #include "validate/validate.hpp"
 
 namespace porefines {
@@ -26,8 +27,17 @@ void add_validate(CLI::App& app, int& exit_code) {
   command->add_option("--only", options->only, "names of comparisons");
   command->add_option("-o,--output", options->output_dir, "output folder (validate)");
   command->add_option("-j,--jobs", options->at_once, "runs side by side; default: physical cores");
-  command->callback([options, &exit_code] {
+  auto asked = std::make_shared<validate::Measurement>();  // a job of its own, for itself alone
+  command->add_option("--measure", asked->what)->group("");
+  command->add_option("--size", asked->size)->group("");
+  command->add_option("--at", asked->at)->group("");
+  command->add_option("--exact", asked->exact)->group("");
+  command->callback([options, asked, &exit_code] {
     require_one_rank("validate", "-j N is how many runs go side by side");
+    if (!asked->what.empty()) {
+      validate::measure(*asked, options->output_dir);
+      return;
+    }
     exit_code = validate::run_validation(*options);
   });
 }

@@ -8,6 +8,7 @@ std::vector<Comparison> all_comparisons(bool quick) {
   add_permeability(list);
   add_contact(list);
   add_spheres(list);
+  add_mobility(list, quick);
   add_chip(list);
   add_microscope(list);
   add_cylinder(list, quick);

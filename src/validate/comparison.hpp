@@ -18,6 +18,7 @@ struct Job {
   std::vector<std::vector<std::string>> after =
       {};                                  ///< commands after the run; "copy" FROM TO copies a file
   std::vector<std::string> generate = {};  ///< words after `porefines`, run before
+  std::vector<std::string> instead = {};   ///< the same, in place of a run of the case
 };
 
 /// A number of a flat JSON file of a job: offset + factor times it.
@@ -70,6 +71,7 @@ struct Comparison {
   std::vector<std::pair<std::string, std::string>> pictures =
       {};                    ///< of the first job: file, caption
   bool logarithmic = false;  ///< axis of the quantity
+  Real usual_seconds = 0;    ///< of all its runs together on the machine of docs/validate.md
 };
 
 /// All comparisons, those that take longest last.
@@ -80,6 +82,7 @@ struct Comparison {
 void add_permeability(std::vector<Comparison>& list);          ///< references.md A1, A2, A3, A5
 void add_contact(std::vector<Comparison>& list);               ///< references.md C
 void add_spheres(std::vector<Comparison>& list);               ///< references.md B3
+void add_mobility(std::vector<Comparison>& list, bool quick);  ///< references.md B1, B2, B4 to B6
 void add_cylinder(std::vector<Comparison>& list, bool quick);  ///< thesis table 1, references.md A4
 void add_microscope(std::vector<Comparison>& list);            ///< thesis figs. 17 to 19
 void add_chip(std::vector<Comparison>& list);                  ///< thesis table 2

@@ -43,6 +43,9 @@ void run_job(Launch& launch, const std::string& commit) {
     write_file(launch.folder + "/" + name, content);
   }
   std::vector<std::vector<std::string>> commands{{"run", "case.toml", "-o", "out"}};
+  if (!launch.job->instead.empty()) {
+    commands = {launch.job->instead};
+  }
   if (!launch.job->generate.empty()) {
     commands.insert(commands.begin(), launch.job->generate);
   }

@@ -7,20 +7,15 @@
 #include <numbers>
 
 #include "flow/stokes.hpp"
-#include "par/decomposition.hpp"
+#include "mobility/box.hpp"
 
 namespace porefines::test {
 
 using flow::Boundaries;
 using flow::FaceKind;
 
-inline par::Decomposition even_cut(const Int3& cells, int ranks) {
-  par::LayerWork work;
-  for (int a = 0; a < 3; ++a) {
-    work[a].assign(static_cast<std::size_t>(cells[a]), 1.0);
-  }
-  return par::decompose(cells, ranks, work);
-}
+using mobility::along_x;
+using mobility::even_cut;
 
 struct Outcome {
   flow::SolveReport report;
@@ -42,12 +37,6 @@ inline Outcome solve(const Int3& cells, Real spacing, const Boundaries& boundari
   const auto [low, high] = std::minmax_element(flux.begin(), flux.end());
   out.flux_variation = (*high - *low) / std::abs(*high);
   return out;
-}
-
-inline flow::Drive along_x() {
-  flow::Drive drive;
-  drive.force = {1, 0, 0};
-  return drive;
 }
 
 /// Distance to a lattice of equal spheres in the unit box (periodic), centres at `sites` + shift.

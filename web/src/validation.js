@@ -47,13 +47,24 @@ function figure(section, comparison) {
   });
 }
 
+/** Wall time of every comparison beside that on the machine where the release was made. */
+function timings(comparisons) {
+  const seconds = (value) => (value > 0 ? duration(value) : "–");
+  return h("section", { id: "timings-section" }, h("h2", {}, "Timings"),
+    h("p", {}, "Wall time of the runs of each comparison, beside that on the developers' machine (docs/validate.md): for information, nothing here is red or green."),
+    h("div", { class: "scroll tall" }, h("table", { class: "log comparison" },
+      h("thead", {}, h("tr", {}, ...["", "runs", "here", "developers' machine"].map((text) => h("th", { scope: "col" }, text)))),
+      h("tbody", {}, ...comparisons.map(({ title, runs, seconds: here, usual_seconds: usual }) => h("tr", {},
+        h("th", { scope: "row" }, title), h("td", {}, runs), h("td", {}, seconds(here)), h("td", {}, seconds(usual))))))));
+}
+
 export function showValidation(page, data) {
   const rows = data.comparisons.flatMap((comparison) => comparison.rows);
   page.append(h("header", {},
     h("div", { class: "kicker" }, h("span", {}, "Validation"), themeSwitch()),
     h("h1", {}, data.red === 0 ? `All ${rows.length} numbers agree` : `${data.red} of ${rows.length} numbers do not agree`),
     h("p", { class: "provenance" }, `porefines ${data.version}, commit ${data.commit} · ${data.made.replace("T", " ").replace("Z", " UTC")}${data.quick ? " · quick: coarser grids, without what takes longer" : ""}`)));
-  page.append(h("nav", { "aria-label": "Contents" }, ...data.comparisons.map(({ name, title }) => h("a", { href: `#${name}-section` }, title))));
+  page.append(h("nav", { "aria-label": "Contents" }, ...data.comparisons.map(({ name, title }) => h("a", { href: `#${name}-section` }, title)), h("a", { href: "#timings-section" }, "Timings")));
   for (const comparison of data.comparisons) {
     const section = h("section", { id: `${comparison.name}-section` }, h("h2", {}, comparison.title),
       h("p", {}, `Compared: ${comparison.quantity}. Reference: ${comparison.reference}. ${comparison.runs} ${comparison.runs > 1 ? "runs" : "run"}, ${duration(comparison.seconds)} of wall time in all.`),
@@ -65,4 +76,5 @@ export function showValidation(page, data) {
     comparison.pictures.filter(({ address }) => address).forEach(({ address, caption }, k) =>
       section.append(frame(`${comparison.name}-picture-${k}`, h("img", { src: address, alt: caption }), caption)));
   }
+  page.append(timings(data.comparisons));
 }

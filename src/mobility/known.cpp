@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MPL-2.0
+#include "mobility/known.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "mobility/box.hpp"
+
+namespace porefines::mobility {
+namespace {
+
+using std::numbers::pi;
+
+/// Places against the grid, in the plane of a wall.
+constexpr std::array<Vec3, 2> on_wall{Vec3{0.13, 0.31, 0}, Vec3{0.62, 0.85, 0}};
+
+/// Solved afresh, without what the cells held before.
+std::vector<flow::SphereMotion> solve(flow::StokesSolver& solver, const flow::Drive& drive,
+                                      const std::vector<flow::Sphere>& spheres,
+                                      const std::vector<flow::WallGap>& walls = {},
+                                      Real tolerance = 1e-6) {
+  solver.forget();
+  solver.set_spheres(spheres, walls);
+  const flow::SolveReport report = solver.solve(drive, to(tolerance));
+  if (!report.converged) {
+    throw RunError(fmt::format("{} spheres: residual {:.3g} after {} cycles", spheres.size(),
+                               report.residual, report.cycles));
+  }
+  return solver.sphere_motions();
+}
+
+flow::WallGap floor_below(Real gap) {
+  return {0, {0, 0, 1}, gap, 1};
+}
+
+}  // namespace
+
+Real wall_factor(int size, Real height) {
+  const Real a = size / 2.0;
+  const int nx = 6 * size;
+  flow::StokesSolver solver = open_box({nx, nx, 5 * size}, slit_along_z());
+  Real mean = 0;
+  for (const Vec3& offset : on_wall) {
+    flow::Sphere q = sphere(1, {nx / 2.0 + offset.x, nx / 2.0 + offset.y, height * a}, a);
+    q.force = {0, 0, 1};
+    const auto motion = solve(solver, {}, {q}, {floor_below((height - 1) * a)}).front();
+    mean += 1 / (6 * pi * a * motion.velocity.z) / on_wall.size();
+  }
+  return mean;
+}
+
+AlongWall along_wall(int size, Real height) {
+  constexpr Real rate = 1e-2;
+  const Real a = size / 2.0;
+  const int nx = 14 * size;
+  const int nz = 8 * size;
+  flow::Boundaries walls = slit_along_z();
+  walls.kind[5] = flow::FaceKind::lid;
+  flow::StokesSolver solver = open_box({nx, nx, nz}, walls);
+  const flow::Drive still;
+  flow::Drive shear;
+  shear.lid[5] = {rate * nz, 0, 0};
+  AlongWall mean;
+  for (const Vec3& offset : on_wall) {
+    flow::Sphere q = sphere(1, {nx / 2.0 + offset.x, nx / 2.0 + offset.y, height * a}, a);
+    const std::vector<flow::WallGap> below{floor_below((height - 1) * a)};
+    const flow::SphereMotion free = solve(solver, shear, {q}, below).front();
+    q.held = true;
+    const flow::SphereMotion held = solve(solver, shear, {q}, below).front();
+    q.velocity = {1, 0, 0};
+    const flow::SphereMotion pulled = solve(solver, still, {q}, below).front();
+    mean.drag += pulled.force.x / (-6 * pi * a) / 2;
+    mean.force += held.force.x / (6 * pi * a * height * a * rate) / 2;
+    mean.torque += held.torque.y / (4 * pi * a * a * a * rate) / 2;
+    mean.speed += free.velocity.x / (height * a * rate) / 2;
+    mean.spin += free.spin.y / (rate / 2) / 2;
+  }
+  return mean;
+}
+
+Real tube_speed(int size, Real ratio) {
+  const Real tube = size / 2.0 / ratio;
+  const int across = 2 * static_cast<int>(std::ceil(tube)) + 2;
+  const int along = 6 * size;
+  const Real centre = across / 2.0 + 0.11;
+  const par::Communicator comm;
+  const Int3 cells{along, across, across};
+  flow::StokesSolver solver(comm, even_cut(cells, comm.size()), {1, 1, 1}, {}, 1.0);
+  solver.set_surface([&](const Vec3& x) { return tube - std::hypot(x.y - centre, x.z - centre); });
+  const flow::Sphere q = sphere(1, {along / 2.0 + 0.2, centre, centre}, size / 2.0);
+  const auto motion = solve(solver, along_x(), {q}).front();
+  // The mean gradient drives the sphere's own length as well.
+  return motion.velocity.x / (tube * tube / 4);
+}
+
+Approach approach(int size, Real distance, Real exact) {
+  const int n = 8 * size;
+  const Real a = size / 2.0;
+  flow::StokesSolver solver = open_box({n, n, n}, {});
+  Approach out;
+  const std::vector<Vec3> ways{{1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {0.9, 0.4, 0.17}, {0.3, 0.8, 0.52}};
+  for (const Vec3& given : ways) {
+    const Vec3 way = given / norm(given);
+    const Vec3 middle{n / 2.0 + 0.13, n / 2.0 + 0.37, n / 2.0 - 0.21};
+    flow::Sphere one = sphere(1, middle - (distance * a / 2) * way, a);
+    flow::Sphere two = sphere(2, middle + (distance * a / 2) * way, a);
+    one.force = way;
+    two.force = Vec3{} - way;
+    const auto m = solve(solver, {}, {one, two}, {}, 1e-5);
+    const Real speed = dot(m[0].velocity - m[1].velocity, way) / 2;
+    const Real found = 1 / (6 * pi * a * speed) / exact;
+    out.mean += found / static_cast<Real>(ways.size());
+    out.worst = std::max(out.worst, std::abs(found - 1));
+  }
+  return out;
+}
+
+Real turn_factor(int size) {
+  const int n = 4 * size;
+  const Real a = size / 2.0;
+  flow::StokesSolver solver = open_box({n, n, n}, closed_box());
+  Real mean = 0;
+  for (const Vec3& offset : {Vec3{0.13, 0.30, 0.07}, {0.50, 0.51, -0.41}, {0.87, 0.72, 0.33}}) {
+    flow::Sphere q = sphere(1, Vec3{n / 2.0, n / 2.0, n / 2.0} + offset, a);
+    q.torque = {0, 1, 0};
+    mean += solve(solver, {}, {q}).front().spin.y * 8 * pi * a * a * a / 3;
+  }
+  return mean;
+}
+
+Real shear_spin(int size) {
+  constexpr Real rate = 1e-2;
+  const int nx = 6 * size;
+  const int nz = 8 * size;
+  flow::Boundaries walls = slit_along_z();
+  walls.kind[5] = flow::FaceKind::lid;
+  flow::StokesSolver solver = open_box({nx, nx, nz}, walls);
+  flow::Drive shear;
+  shear.lid[5] = {rate * nz, 0, 0};
+  const flow::Sphere q = sphere(1, {nx / 2.0 + 0.13, nx / 2.0 + 0.31, nz / 2.0 + 0.22}, size / 2.0);
+  return solve(solver, shear, {q}).front().spin.y / (rate / 2);
+}
+
+}  // namespace porefines::mobility

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MPL-2.0
+// What the solver gives for spheres whose mobility is known exactly: references.md B1, B2, B4, B5, B6. The
+// tests assert it, `porefines validate` prints it. Unit cells, unit viscosity; `size` is the diameter in
+// cells. One rank; RunError where a solve does not converge.
+#pragma once
+
+#include <array>
+
+#include "core/types.hpp"
+
+namespace porefines::mobility {
+
+/// F/(6 pi mu a U) of a sphere that a force drives towards a wall, its centre `height` radii above it
+/// (B1, Brenner 1961): the mean of two places against the grid. The other wall is 5 diameters up, images
+/// are 6 away. Test: verification/lubrication.
+[[nodiscard]] Real wall_factor(int size, Real height);
+
+/// A sphere `height` radii above a wall, held, dragged along it, or free in a shear flow (B2, Goldman, Cox
+/// & Brenner 1967): the mean of two places. The lid that shears is 8 diameters up and images are 14 away: at
+/// 6 they take 3 % off the drag. Test: verification/lubrication.
+struct AlongWall {
+  Real drag = 0;    ///< F/(6 pi mu a U), not turning
+  Real force = 0;   ///< F/(6 pi mu a h S) in a shear flow of rate S, held
+  Real torque = 0;  ///< T/(4 pi mu a^3 S), held
+  Real speed = 0;   ///< U/(h S), free
+  Real spin = 0;    ///< omega/(S/2), free
+};
+[[nodiscard]] AlongWall along_wall(int size, Real height);
+
+/// U/U_max of a force-free sphere on the axis of a tube `1/ratio` times as wide (B4); images are 6 diameters
+/// away, the wall is a grain surface. Test: verification/lubrication.
+[[nodiscard]] Real tube_speed(int size, Real ratio);
+
+/// F/(6 pi mu a U) of two equal spheres that approach each other, their centres `distance` radii apart (B5,
+/// Stimson & Jeffery 1926), over `exact`: five directions against the grid. Test: verification/lubrication.
+struct Approach {
+  Real mean = 0;   ///< of the five
+  Real worst = 0;  ///< |1 - that of one|
+};
+[[nodiscard]] Approach approach(int size, Real distance, Real exact);
+
+/// 8 pi mu a^3 omega/T of a sphere in a box whose walls are 4 radii away (B6): the mean of three places;
+/// 1/1.013 in the limit of fine grids, which 24 cells a diameter have within 0.1 %.
+/// Test: verification/free_spheres.
+[[nodiscard]] Real turn_factor(int size);
+
+/// omega/(G/2) of a free sphere in a shear flow of rate G, walls 4 diameters away (B6).
+/// Test: verification/free_spheres.
+[[nodiscard]] Real shear_spin(int size);
+
+}  // namespace porefines::mobility
