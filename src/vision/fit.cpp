@@ -55,7 +55,9 @@ class Frame {
   void find_neighbours(Real reach) {
     for (std::size_t k = 0; k < spots_.size(); ++k) {
       for (std::size_t m = k + 1; m < spots_.size() && spots_[m].y - spots_[k].y < reach; ++m) {
-        if (std::hypot(spots_[m].x - spots_[k].x, spots_[m].y - spots_[k].y) < reach) {
+        const Real dx = spots_[m].x - spots_[k].x;
+        const Real dy = spots_[m].y - spots_[k].y;
+        if (dx * dx + dy * dy < reach * reach) {
           all_[k].near.push_back(m);
           all_[m].near.push_back(k);
         }
@@ -73,9 +75,8 @@ class Frame {
   void fit_one(std::size_t k) {
     Fitted& mine = all_[k];
     mine.change = 0;
-    gather(k);
     constexpr int unknowns = 5;
-    if (patch_.pixels() < 2 * unknowns) {
+    if (gather(k) < 2 * unknowns) {
       return;
     }
     if (!mine.sound) {
@@ -92,8 +93,8 @@ class Frame {
     }
   }
 
-  /// The disc around a particle without the light of its neighbours.
-  void gather(std::size_t k) {
+  /// The disc around a particle without the light of its neighbours. @return its pixels
+  int gather(std::size_t k) {
     const auto x = static_cast<int>(std::lround(spots_[k].x));
     const auto y = static_cast<int>(std::lround(spots_[k].y));
     patch_.x = std::max(x - radius_, 0);
@@ -102,23 +103,34 @@ class Frame {
     patch_.left.clear();
     patch_.right.clear();
     patch_.light.clear();
+    patch_.inside.clear();
+    int pixels = 0;
+    const auto stride = static_cast<std::size_t>(patch_.stride());
     for (int j = patch_.y; j <= std::min(y + radius_, light_.rows - 1); ++j) {
       const Real rest = static_cast<Real>(radius_ * (radius_ + 1) - (j - y) * (j - y));
       const auto half = static_cast<int>(std::sqrt(rest));
       patch_.left.push_back(std::max(x - half - patch_.x, 0));
       patch_.right.push_back(std::min(x + half + 1 - patch_.x, patch_.columns));
+      pixels += patch_.right.back() - patch_.left.back();
       const auto* const line = light_.ptr<float>(j) + patch_.x;
-      patch_.light.insert(patch_.light.end(), line, line + patch_.columns);
+      const std::size_t start = patch_.light.size();
+      patch_.light.resize(start + stride, 0);
+      patch_.inside.resize(start + stride, 0);
+      std::fill_n(patch_.inside.begin() + static_cast<std::ptrdiff_t>(start) + patch_.left.back(),
+                  patch_.right.back() - patch_.left.back(), 1);
+      std::copy(line + patch_.left.back(), line + patch_.right.back(),
+                patch_.light.begin() + static_cast<std::ptrdiff_t>(start) + patch_.left.back());
     }
     for (const std::size_t m : all_[k].near) {
       take_away(all_[m].model, patch_);
     }
+    return pixels;
   }
 
   [[nodiscard]] Real darkest() const {
     Real least = patch_.light[static_cast<std::size_t>(patch_.left[0])];
     for (int j = 0; j < patch_.lines(); ++j) {
-      const auto line = patch_.light.begin() + static_cast<std::ptrdiff_t>(j) * patch_.columns;
+      const auto line = patch_.light.begin() + static_cast<std::ptrdiff_t>(j) * patch_.stride();
       const auto row = static_cast<std::size_t>(j);
       least = std::min(least, *std::min_element(line + patch_.left[row], line + patch_.right[row]));
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 #include "vision/levenberg_marquardt.hpp"
 
@@ -17,93 +18,135 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// exp(-(start + k - middle)^2 / 2 width^2) for k = 0 .. count - 1
+/// exp(-(start + k - middle)^2 / 2 width^2) for k = 0 .. count - 1, zeros after them. From the pixel next to
+/// the middle outwards each is the one before times a ratio that shrinks by exp(-1/width^2).
 void bell(int start, int count, Real middle, Real width, std::vector<Real>& out) {
-  out.resize(at(count));
-  const Real factor = -0.5 / (width * width);
-  for (int k = 0; k < count; ++k) {
-    const Real d = start + k - middle;
-    out[at(k)] = std::exp(factor * d * d);
+  out.assign(at((count + 7) / 8 * 8), 0);
+  const Real inverse = 1 / (width * width);
+  const int nearest = std::clamp(static_cast<int>(std::lround(middle)) - start, 0, count - 1);
+  const Real d = start + nearest - middle;
+  const Real peak = std::exp(-0.5 * inverse * d * d);
+  const Real shrink = std::exp(-inverse);
+  out[at(nearest)] = peak;
+  Real value = peak;
+  Real ratio = std::exp(-inverse * (0.5 + d));
+  for (int k = nearest + 1; k < count; ++k) {
+    out[at(k)] = value *= ratio;
+    ratio *= shrink;
+  }
+  value = peak;
+  ratio = std::exp(-inverse * (0.5 - d));
+  for (int k = nearest - 1; k >= 0; --k) {
+    out[at(k)] = value *= ratio;
+    ratio *= shrink;
   }
 }
 
-/// Sums over one line of e = exp(-dx^2 / 2 s^2) and the rest r = light - model, with powers of dx.
-struct LineSums {
-  std::array<Real, 5> ee{};  ///< e^2 dx^k
-  std::array<Real, 3> e{};   ///< e dx^k
-  std::array<Real, 3> re{};  ///< r e dx^k
-  Real r = 0;
-  Real rr = 0;
+constexpr int lanes = 8;
+using Lanes [[gnu::vector_size(lanes * sizeof(Real))]] = Real;  // of GCC and Clang
+
+Lanes load(const std::vector<Real>& from, std::size_t start) {
+  Lanes out;
+  std::memcpy(&out, from.data() + start, sizeof out);
+  return out;
+}
+
+/// Of eight columns, with f = exp(-dy^2 / 2 s^2) of a line: sums over the lines of (inside) f^2 dy^p,
+/// (inside) f dy^p and light f dy^p.
+struct ColumnSums {
+  std::array<Lanes, 5> ff{};
+  std::array<Lanes, 3> f{};
+  std::array<Lanes, 3> light{};
+
+  void add_line(const Lanes& inside, const Lanes& l, Real shape, Real d) {
+    Lanes part = inside * shape;
+    Lanes share = part * shape;
+    Lanes shown = l * shape;
+    for (std::size_t p = 0; p < 3; ++p) {
+      f[p] += part, light[p] += shown, ff[p] += share;
+      part *= d, shown *= d, share *= d;
+    }
+    ff[3] += share;
+    ff[4] += share * d;
+  }
 };
 
-/// Those of one Gaussian, line by line.
+/// Sums over the disc with powers dx^q dy^p and E = exp(-(dx^2 + dy^2) / 2 s^2): those that q + p <= 4, or 2, ask for.
+struct DiscSums {
+  Lanes a00{}, a10{}, a01{}, a20{}, a11{}, a02{}, a30{}, a21{}, a12{}, a03{}, a40{}, a22{},
+      a04{};                        ///< E^2
+  Lanes b00{}, b10{}, b01{}, b2{};  ///< E; b2 with dx^2 + dy^2
+  Lanes l00{}, l10{}, l01{}, l2{};  ///< light E
+
+  void add_columns(const ColumnSums& c, const Lanes& e, const Lanes& d) {
+    const Lanes ed = e * d;
+    const Lanes edd = ed * d;
+    const Lanes ee = e * e;
+    const Lanes eed = e * ed;
+    const Lanes eedd = ed * ed;
+    a00 += ee * c.ff[0], a10 += eed * c.ff[0], a01 += ee * c.ff[1];
+    a20 += eedd * c.ff[0], a11 += eed * c.ff[1], a02 += ee * c.ff[2];
+    a30 += ed * edd * c.ff[0], a21 += eedd * c.ff[1], a12 += eed * c.ff[2], a03 += ee * c.ff[3];
+    a40 += edd * edd * c.ff[0], a22 += eedd * c.ff[2], a04 += ee * c.ff[4];
+    b00 += e * c.f[0], b10 += ed * c.f[0], b01 += e * c.f[1], b2 += edd * c.f[0] + e * c.f[2];
+    l00 += e * c.light[0], l10 += ed * c.light[0], l01 += e * c.light[1];
+    l2 += edd * c.light[0] + e * c.light[2];
+  }
+};
+
+Real total(const Lanes& v) {
+  return ((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7]));
+}
+
+/// Those of one Gaussian. Lines go into columns first, eight at a time, so that nothing is added across
+/// before the end.
 class Equations : public NormalEquations<unknowns> {
  public:
-  void set(const Patch& p, const Gaussian& g) {
+  void set(const Patch& p, const Patch::Sums& sums_of_patch, const Gaussian& g) {
     bell(p.x, p.columns, g.x, g.width, across_);
     bell(p.y, p.lines(), g.y, g.width, down_);
-    a = {};
-    b = {};
-    squares = 0;
-    for (int j = 0; j < p.lines(); ++j) {
-      add_line(sums_of(p, g, j), p.y + j - g.y, down_[at(j)], p.right[at(j)] - p.left[at(j)]);
+    const int stride = p.stride();
+    DiscSums sums;
+    for (int i = 0; i < stride; i += lanes) {
+      ColumnSums columns;
+      for (int j = 0; j < p.lines(); ++j) {
+        const std::size_t start = at(j) * at(stride) + at(i);
+        columns.add_line(load(p.inside, start), load(p.light, start), down_[at(j)], p.y + j - g.y);
+      }
+      const Real d = p.x + i - g.x;
+      sums.add_columns(columns, load(across_, at(i)),
+                       Lanes{d, d + 1, d + 2, d + 3, d + 4, d + 5, d + 6, d + 7});
     }
+    fill(sums, sums_of_patch, g);
     scale(g);
   }
 
  private:
-  [[nodiscard]] LineSums sums_of(const Patch& p, const Gaussian& g, int j) const {
-    LineSums s;
-    const Real* const light = p.light.data() + at(j) * at(p.columns);
-    const Real height = g.height * down_[at(j)];
-    for (int i = p.left[at(j)]; i < p.right[at(j)]; ++i) {
-      const Real e = across_[at(i)];
-      const Real d = p.x + i - g.x;
-      const Real r = light[i] - height * e - g.base;
-      const Real ed = e * d;
-      const Real edd = ed * d;
-      s.e[0] += e;
-      s.e[1] += ed;
-      s.e[2] += edd;
-      s.ee[0] += e * e;
-      s.ee[1] += e * ed;
-      s.ee[2] += ed * ed;
-      s.ee[3] += ed * edd;
-      s.ee[4] += edd * edd;
-      s.r += r;
-      s.rr += r * r;
-      s.re[0] += r * e;
-      s.re[1] += r * ed;
-      s.re[2] += r * edd;
+  /// Columns of J but for factors: dx E, dy E, E, (dx^2 + dy^2) E, 1.
+  void fill(const DiscSums& s, const Patch::Sums& patch, const Gaussian& g) {
+    const Real twos = total(s.a20 + s.a02);
+    a[0][0] = total(s.a20);
+    a[1][0] = total(s.a11);
+    a[1][1] = total(s.a02);
+    a[2][0] = total(s.a10);
+    a[2][1] = total(s.a01);
+    a[2][2] = total(s.a00);
+    a[3][0] = total(s.a30 + s.a12);
+    a[3][1] = total(s.a21 + s.a03);
+    a[3][2] = twos;
+    a[3][3] = total(s.a40 + 2 * s.a22 + s.a04);
+    a[4][0] = total(s.b10);
+    a[4][1] = total(s.b01);
+    a[4][2] = total(s.b00);
+    a[4][3] = total(s.b2);
+    a[4][4] = patch.pixels;
+    const std::array<Real, 4> light{total(s.l10), total(s.l01), total(s.l00), total(s.l2)};
+    for (std::size_t k = 0; k < 4; ++k) {  // of the rest, light less the model
+      b[k] = light[k] - g.height * (k == 3 ? twos : a[2][k]) - g.base * a[4][k];
     }
-    return s;
-  }
-
-  /// Columns of J but for factors: dx E, dy E, E, (dx^2 + dy^2) E, 1 with E = e f.
-  void add_line(const LineSums& s, Real d, Real f, int count) {
-    const Real ff = f * f;
-    const Real dd = d * d;
-    a[0][0] += ff * s.ee[2];
-    a[1][0] += ff * d * s.ee[1];
-    a[1][1] += ff * dd * s.ee[0];
-    a[2][0] += ff * s.ee[1];
-    a[2][1] += ff * d * s.ee[0];
-    a[2][2] += ff * s.ee[0];
-    a[3][0] += ff * (s.ee[3] + dd * s.ee[1]);
-    a[3][1] += ff * d * (s.ee[2] + dd * s.ee[0]);
-    a[3][2] += ff * (s.ee[2] + dd * s.ee[0]);
-    a[3][3] += ff * (s.ee[4] + 2 * dd * s.ee[2] + dd * dd * s.ee[0]);
-    a[4][0] += f * s.e[1];
-    a[4][1] += f * d * s.e[0];
-    a[4][2] += f * s.e[0];
-    a[4][3] += f * (s.e[2] + dd * s.e[0]);
-    a[4][4] += count;
-    b[0] += f * s.re[1];
-    b[1] += f * d * s.re[0];
-    b[2] += f * s.re[0];
-    b[3] += f * (s.re[2] + dd * s.re[0]);
-    b[4] += s.r;
-    squares += s.rr;
+    b[4] = patch.light - g.height * a[4][2] - g.base * patch.pixels;
+    squares = patch.squares + g.height * g.height * a[2][2] + g.base * g.base * patch.pixels -
+              2 * g.height * light[2] - 2 * g.base * patch.light + 2 * g.height * g.base * a[4][2];
   }
 
   void scale(const Gaussian& g) {
@@ -134,12 +177,14 @@ Gaussian moved(const Gaussian& g, const Vector& change, Real usual_width) {
 
 }  // namespace
 
-int Patch::pixels() const {
-  int count = 0;
-  for (std::size_t j = 0; j < left.size(); ++j) {
-    count += right[j] - left[j];
+Patch::Sums Patch::sums() const {
+  Sums out;
+  for (std::size_t k = 0; k < light.size(); ++k) {
+    out.pixels += inside[k];
+    out.light += light[k];
+    out.squares += light[k] * light[k];
   }
-  return count;
+  return out;
 }
 
 void take_away(const Gaussian& g, Patch& p) {
@@ -149,7 +194,7 @@ void take_away(const Gaussian& g, Patch& p) {
   bell(p.y, p.lines(), g.y, g.width, down);
   for (int j = 0; j < p.lines(); ++j) {
     const Real height = g.height * down[at(j)];
-    Real* const light = p.light.data() + at(j) * at(p.columns);
+    Real* const light = p.light.data() + at(j) * at(p.stride());
     for (int i = p.left[at(j)]; i < p.right[at(j)]; ++i) {
       light[i] -= height * across[at(i)];
     }
@@ -161,8 +206,9 @@ Gaussian fit_gaussian(const Patch& patch, Gaussian g, Real usual_width) {
   constexpr Real at_rest = 2e-3;  // [pixels]
   thread_local Equations here;
   thread_local Equations there;
+  const Patch::Sums sums = patch.sums();
   descend(
-      g, here, there, most_steps, [&](const Gaussian& at, Equations& e) { e.set(patch, at); },
+      g, here, there, most_steps, [&](const Gaussian& at, Equations& e) { e.set(patch, sums, at); },
       [&](const Gaussian& at, const Vector& change) { return moved(at, change, usual_width); },
       [](const Vector& change, Real, Real) { return std::hypot(change[0], change[1]) < at_rest; });
   return g;

@@ -21,8 +21,9 @@ bool solve(SmallMatrix<n> a, SmallVector<n> b, SmallVector<n>& x) {
     if (!(a[k][k] > 0)) {
       return false;
     }
+    const Real inverse = 1 / a[k][k];
     for (std::size_t r = k + 1; r < n; ++r) {
-      const Real factor = a[r][k] / a[k][k];
+      const Real factor = a[r][k] * inverse;
       for (std::size_t c = k; c < n; ++c) {
         a[r][c] -= factor * a[k][c];
       }

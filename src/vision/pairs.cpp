@@ -51,7 +51,9 @@ std::vector<Sample> samples_around(const cv::Mat& light, const std::vector<Spot>
   }
   for (std::size_t m = 0; m < spots.size(); ++m) {
     const Spot& s = spots[m];
-    if (m != k && std::hypot(s.x - spots[k].x, s.y - spots[k].y) < 3 * radius) {
+    const Real dx = s.x - spots[k].x;
+    const Real dy = s.y - spots[k].y;
+    if (m != k && dx * dx + dy * dy < 9 * radius * radius) {
       const Real w = width_of(s);
       for (Sample& p : out) {
         const Real r2 = (p.x - s.x) * (p.x - s.x) + (p.y - s.y) * (p.y - s.y);

@@ -2,7 +2,6 @@
 #include "vision/video.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -75,17 +74,14 @@ Video::Video(const std::string& path) : path_(path) {
     }
     frames_ = static_cast<int>(images_.size());
   } else {
-    stream_.open(path);
-    if (!stream_.isOpened()) {
+    film_.emplace(path);
+    if (!film_->is_open()) {
       throw InputError(path +
-                       ": OpenCV cannot read this as a video\n"
+                       ": cannot be read as a video\n"
                        "try a folder with one image per frame, or convert it to AVI (MJPG)");
     }
-    const Real rate = stream_.get(cv::CAP_PROP_FPS);
-    const Real count = stream_.get(cv::CAP_PROP_FRAME_COUNT);
-    constexpr Real fastest = 1e7;  // [frames/s]; beyond it the container knows nothing
-    frame_rate_ = std::isfinite(rate) && rate > 0 && rate < fastest ? rate : 0;
-    frames_ = count > 0 && count < 1e9 ? static_cast<int>(count) : 0;
+    frame_rate_ = film_->frame_rate();
+    frames_ = film_->frames();
   }
   const auto first = read(1);
   if (first.empty()) {
@@ -115,15 +111,9 @@ std::vector<cv::Mat> Video::read_images(int count, int threads) {
 
 std::vector<cv::Mat> Video::read_stream(int count) {
   std::vector<cv::Mat> frames;
-  cv::Mat picture;
   while (static_cast<int>(frames.size()) < count) {
-    bool got = false;
-    try {
-      got = stream_.read(picture);
-    } catch (const cv::Exception&) {
-      got = false;
-    }
-    if (!got) {
+    cv::Mat picture;
+    if (!film_->next(picture)) {
       const int here = next_ + static_cast<int>(frames.size());
       if (here < frames_) {
         problem_ = fmt::format("frame {}: the video ends here, but its header announces {} frames",
@@ -131,7 +121,7 @@ std::vector<cv::Mat> Video::read_stream(int count) {
       }
       break;
     }
-    frames.push_back(as_grey(picture).clone());
+    frames.push_back(picture);
   }
   return frames;
 }
@@ -171,11 +161,10 @@ void Video::seek(int frame) {
   if (images_.empty()) {
     // Frame-exact seeking is not to be had from every container: start again and skip.
     if (frame < next_) {
-      stream_.release();
-      stream_.open(path_);
+      film_.emplace(path_);
       next_ = 0;
     }
-    while (next_ < frame && stream_.grab()) {
+    while (next_ < frame && film_->is_open() && film_->skip()) {
       ++next_;
     }
     return;

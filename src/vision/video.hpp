@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MPL-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <opencv2/core.hpp>
-#include <opencv2/videoio.hpp>
 
 #include "core/types.hpp"
+#include "vision/film.hpp"
 
 namespace porefines::vision {
 
@@ -44,7 +45,7 @@ class Video {
 
   std::string path_;
   std::vector<std::string> images_;  ///< empty: a video file
-  cv::VideoCapture stream_;
+  std::optional<Film> film_;
   cv::Size size_;
   Real frame_rate_ = 0;
   int frames_ = 0;

@@ -86,6 +86,23 @@ TEST_F(BrokenVideo, truncated_file) {
   EXPECT_NE(said_.find("24 frames"), std::string::npos) << said_;
 }
 
+/// Pictures one after the other, as a camera's motion JPEG: no header knows how many or how large.
+TEST_F(BrokenVideo, size_that_changes_inside_a_file) {
+  std::ofstream file(folder_ / "v.mjpeg", std::ios::binary);
+  constexpr int whole = 10;
+  for (int f = 0; f < frames; ++f) {
+    std::vector<std::uint8_t> bytes;
+    cv::imencode(".jpg", film(96, f < whole ? 64 : 48)[static_cast<std::size_t>(f)], bytes);
+    file.write(reinterpret_cast<const char*>(bytes.data()),
+               static_cast<std::streamsize>(bytes.size()));
+  }
+  file.close();
+  EXPECT_EQ(track_file("v.mjpeg", {"video.frame_rate=10 Hz"}), 2);
+  EXPECT_NE(said_.find("frame 10: 96 x 48 pixels, not 96 x 64 as the first"), std::string::npos)
+      << said_;
+  EXPECT_EQ(last_frame(10), whole - 1);
+}
+
 TEST_F(BrokenVideo, no_frames_a_second) {
   EXPECT_THROW((void)track_file("v.avi", {"video.frame_rate=0 Hz"}), InputError);
 }
