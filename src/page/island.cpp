@@ -16,6 +16,7 @@
 #include "page/pictures.hpp"
 #include "page/table.hpp"
 #include "page/tracks.hpp"
+#include "page/walls.hpp"
 #include "sim/domain.hpp"
 
 namespace porefines::page {
@@ -108,6 +109,7 @@ void add_geometry(Json& json, const config::Case& the_case) {
   json.set_json("geometry", or_null(geometry.metrics));
   json.set_json("histograms", or_null(geometry.histograms));
   json.set_json("scene", or_null(geometry.scene));
+  json.set_json("walls", or_null(walls_json(the_case)));
   json.set("geometry_missing", geometry.missing);
 }
 

@@ -7,6 +7,7 @@ import {
 } from "three";
 import { MarchingCubes } from "three/examples/jsm/objects/MarchingCubes.js";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { drawWalls } from "./walls.js";
 
 /** Box of the scene in metres: of the sample, or of the tracks where there is none. */
 export function boxOf(scene, tracks) {
@@ -90,6 +91,10 @@ export class PlayerScene {
     this.grains = new MeshLambertMaterial({ color: 0xc9cdd3 });
     this.lines = null;
     this.addSolids(data.scene);
+    if (data.walls) {
+      this.renderer.localClippingEnabled = true;
+      this.scene.add(drawWalls(data.walls, (...x) => this.place(...x), this.scale, this.sides));
+    }
     this.addFines(most);
     this.addLights();
     this.addRing();

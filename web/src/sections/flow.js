@@ -26,7 +26,7 @@ function addMap(parent, map, kind) {
   const name = `${map.quantity}-${map.normal}`;
   addFigure(parent, {
     name,
-    height: (width) => Math.min(680, (width - 150) * aspect + 64),
+    height: (width) => Math.min(aspect > 1 ? 440 : 680, (width - 150) * aspect + 64),
     caption: `${map.quantity === "speed" ? "Speed of the water" : "Pressure"} on the plane ${map.normal} = ${
       worded(map.position_m, "m", 3)}${kind === "inertial" || kind === "coupled" ? `, at ${worded(map.time_s, "s", 3)}` : ""}; grains${map.quantity === "pressure" && kind === "coupled" ? " and fines" : ""} are grey.${
       map.thinned > 1 ? ` Every ${map.thinned}th cell is drawn.` : ""}`,

@@ -24,7 +24,7 @@ export function particles(data) {
     fill(section) {
       const player = new Player(data);
       section.append(frame("player", player.element, `Particles at their true size${data.scene?.outlines || data.scene?.field ? " between the grains" : ""}${
-        data.kind === "dry" ? "; walls that are not grains are not drawn" : ""}. ${story(data.tracks)}`));
+        data.walls ? "; walls of the case are seen through" : ""}. ${story(data.tracks)}`));
       window.porefines = { ...window.porefines, player };
       try {
         player.start();
