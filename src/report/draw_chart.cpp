@@ -20,7 +20,7 @@ const cv::Scalar ink(40, 42, 46);
 const cv::Scalar pale(226, 229, 233);
 constexpr int wide = 900;
 constexpr int high = 560;
-const cv::Rect plot(104, 70, wide - 104 - 40, high - 70 - 84);
+const cv::Rect plot(124, 70, wide - 124 - 40, high - 70 - 84);
 constexpr std::array<Rgb, 5> inks{
     {{38, 98, 152}, {196, 78, 44}, {52, 132, 88}, {126, 82, 152}, {120, 112, 100}}};
 
@@ -80,13 +80,16 @@ struct Tick {
 std::vector<Tick> ticks_of(const Axis& axis, const DisplayUnit& unit, int wanted) {
   std::vector<Tick> ticks;
   if (axis.logarithmic) {
+    const bool many = axis.high > 100 * axis.low;
     for (int decade = static_cast<int>(std::floor(std::log10(axis.low / unit.factor)));
          decade <= static_cast<int>(std::ceil(std::log10(axis.high / unit.factor))); ++decade) {
       for (const int digit : {1, 2, 5}) {
         const Real shown = digit * std::pow(10.0, decade);
         const Real value = shown * unit.factor;
-        if (value >= axis.low && value <= axis.high) {
-          ticks.push_back({value, fmt::format("{:g}", shown)});
+        if (value >= axis.low && value <= axis.high && (digit == 1 || !many)) {
+          const bool plain = decade >= -3 && decade < 5;
+          ticks.push_back(
+              {value, plain ? fmt::format("{:g}", shown) : fmt::format("{}e{}", digit, decade)});
         }
       }
     }
