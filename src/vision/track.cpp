@@ -9,7 +9,6 @@
 #include <optional>
 
 #include <fmt/format.h>
-#include <malloc.h>
 #include <opencv2/imgproc.hpp>
 
 #include "core/atomic_file.hpp"
@@ -26,13 +25,6 @@
 
 namespace porefines::vision {
 namespace {
-
-/// Memory of pictures is used again instead of given back: page faults were 6 % of tracking.
-void keep_pages() {
-  constexpr int pictures = 1 << 28;  // [bytes]
-  mallopt(M_MMAP_THRESHOLD, 1 << 25);
-  mallopt(M_TRIM_THRESHOLD, pictures);
-}
 
 Real decided_rate(const TrackSettings& settings, const Video& video, const std::string& name) {
   const Real rate = settings.frame_rate > 0 ? settings.frame_rate : video.frame_rate();
@@ -88,7 +80,6 @@ int track(const TrackRequest& request) {
   const TrackSettings& settings = request.settings;
   require_scale(settings);
   cv::setNumThreads(1);  // frames share the threads, not parts of a frame
-  keep_pages();
   Video video(request.video);
   const Real rate = decided_rate(settings, video, request.video);
   const std::string& folder = request.output_dir;
