@@ -55,12 +55,16 @@ Six solve_upper(const SixBySix& lower, Six b) {
   return b;
 }
 
+Six solved(const SixBySix& lower, const Six& b) {
+  return solve_upper(lower, solve_lower(lower, b));
+}
+
 SixBySix inverse_from(const SixBySix& lower) {
   SixBySix inverse{};
   for (int j = 0; j < 6; ++j) {
     Six unit{};
     unit[j] = 1;
-    const Six column = solve_upper(lower, solve_lower(lower, unit));
+    const Six column = solved(lower, unit);
     for (int i = 0; i < 6; ++i) {
       inverse[6 * i + j] = column[i];
     }

@@ -44,6 +44,8 @@ using SixBySix = std::array<Real, 36>;
 /// x of L x = b and of L^T x = b.
 [[nodiscard]] Six solve_lower(const SixBySix& lower, Six b);
 [[nodiscard]] Six solve_upper(const SixBySix& lower, Six b);
+/// x of L L^T x = b.
+[[nodiscard]] Six solved(const SixBySix& lower, const Six& b);
 [[nodiscard]] SixBySix inverse_from(const SixBySix& lower);
 
 }  // namespace porefines

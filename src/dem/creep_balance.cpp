@@ -67,10 +67,6 @@ SixBySix stiffness_of(const Tangent& k, const Vec3& normal, Real lever, Real rad
   return out;
 }
 
-Six solved(const SixBySix& lower, const Six& right) {
-  return solve_upper(lower, solve_lower(lower, right));
-}
-
 void set_velocity(Particles& p, std::size_t i, const Six& motion) {
   p.velocity[i] = {motion[0], motion[1], motion[2]};
   p.angular_velocity[i] = (1 / p.radius[i]) * Vec3{motion[3], motion[4], motion[5]};
@@ -209,34 +205,33 @@ int CreepBalance::solve(Particles& p, Real dt, Exchange& exchange, const par::Co
     apply(p, dt, x);
   };
   show(&Body::motion);
+  for (Body& b : bodies_) {
+    add_to(b.residual, -1, b.answer);
+  }
   Real before = 0;
   int n = 0;
   for (; n < most; ++n) {
-    std::array<Real, 1> left{};
+    Real left = 0;
     for (Body& b : bodies_) {
-      if (n == 0) {
-        add_to(b.residual, -1, b.answer);
-      }
       b.answer = solved(b.lower, b.residual);
-      left[0] += dot(b.residual, b.answer);
+      left += dot(b.residual, b.answer);
     }
-    comm.sum(left);
-    if (left[0] <= enough) {
+    left = comm.sum(left);
+    if (left <= enough) {
       break;
     }
     for (Body& b : bodies_) {
       Six direction = b.answer;
-      add_to(direction, n > 0 ? left[0] / before : 0, b.direction);
+      add_to(direction, n > 0 ? left / before : 0, b.direction);
       b.direction = direction;
     }
-    before = left[0];
+    before = left;
     show(&Body::direction);
-    std::array<Real, 1> curvature{};
+    Real curvature = 0;
     for (const Body& b : bodies_) {
-      curvature[0] += dot(b.direction, b.answer);
+      curvature += dot(b.direction, b.answer);
     }
-    comm.sum(curvature);
-    const Real length = before / curvature[0];
+    const Real length = before / comm.sum(curvature);
     for (Body& b : bodies_) {
       add_to(b.motion, length, b.direction);
       add_to(b.residual, -length, b.answer);

@@ -8,15 +8,6 @@
 
 namespace porefines::flow {
 
-namespace {
-
-/// L^-T L^-1 b of the moments' Cholesky factor.
-Six solve(const SixBySix& factor, const Six& b) {
-  return solve_upper(factor, solve_lower(factor, b));
-}
-
-}  // namespace
-
 /// Calls visit(row, share that is inside, velocity unknown [inner units]) for this rank's faces in the
 /// sphere whose centre is given [cells from the corner of the block].
 template <typename Visit>
@@ -90,7 +81,7 @@ void RigidProjection::kick(Real step, const std::vector<Sphere>& all,
   for (std::size_t q = 0; q < all.size(); ++q) {
     const Sphere& s = all[q];
     const Six push{s.force.x, s.force.y, s.force.z, s.torque.x, s.torque.y, s.torque.z};
-    const Six change = solve(factors[q], push);  // of the motion, times the mass of a face
+    const Six change = solved(factors[q], push);  // of the motion, times the mass of a face
     for_faces(s, [&](const Six& row, Real share, double& u) {
       u += share * step / face_mass * dot(row, change) / unit;
     });
@@ -115,7 +106,7 @@ std::vector<Six> RigidProjection::fit(const std::vector<Sphere>& all,
     std::copy_n(&sums[6 * q], 6, motions[q].begin());
     motions[q] = s.held
                      ? Six{s.velocity.x, s.velocity.y, s.velocity.z, s.spin.x, s.spin.y, s.spin.z}
-                     : solve(factors[q], motions[q]);
+                     : solved(factors[q], motions[q]);
   }
   return motions;
 }

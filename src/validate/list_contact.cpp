@@ -97,8 +97,6 @@ Comparison impact() {
   return c;
 }
 
-/// A sphere of 8 cells in a slit with H/a = 8, carried by the peak of Poiseuille's flow.
-
 }  // namespace
 
 void add_contact(std::vector<Comparison>& list) {
