@@ -14,22 +14,30 @@ using std::numbers::pi;
 
 constexpr Real shear_length = 0.373;  ///< cells
 
-/// s(g): what the grid resolves of 1/g. Means of D = 6, 8 and 12; between two spheres also over
-/// places and directions, which scatter by a quarter of 1/g below half a cell.
+/// Share of 1/g that the grid resolves. Means of D = 6, 8 and 12 against Brenner (1961) and Stimson & Jeffery (1926);
+/// between two spheres also over places and directions, which scatter by a quarter below half a cell.
 struct Resolved {
   Real gap;  ///< cells
   Real wall;
   Real pair;
 };
-constexpr std::array<Resolved, 9> resolved{{{0, 2.95, 3.9},
-                                            {0.05, 2.75, 3.5},
-                                            {0.1, 2.62, 3.2},
-                                            {0.2, 2.5, 2.8},
-                                            {0.35, 1.80, 2.05},
-                                            {0.5, 1.47, 1.68},
-                                            {0.75, 1.15, 1.23},
-                                            {1, 0.965, 0.97},
-                                            {1.25, 0.8, 0.8}}};
+constexpr std::array<Resolved, 17> resolved{{{0, 0, 0},
+                                             {0.05, 0.135, 0.175},
+                                             {0.1, 0.265, 0.32},
+                                             {0.15, 0.375, 0.45},
+                                             {0.2, 0.458, 0.56},
+                                             {0.25, 0.541, 0.6375},
+                                             {0.3, 0.587, 0.69},
+                                             {0.35, 0.63, 0.7175},
+                                             {0.425, 0.695, 0.785},
+                                             {0.5, 0.725, 0.84},
+                                             {0.625, 0.8055, 0.881},
+                                             {0.75, 0.866, 0.9225},
+                                             {0.875, 0.927, 0.932},
+                                             {1, 0.96, 0.941},
+                                             {1.25, 0.976, 0.9625},
+                                             {1.5, 0.969, 0.979},
+                                             {lubrication_range, 1, 1}}};
 
 Vec3 linear(const Six& v) {
   return {v[0], v[1], v[2]};
@@ -138,9 +146,9 @@ Real missing_squeeze(Real gap, bool wall) {
   const Resolved& low = resolved[k - 1];
   const Resolved& high = resolved[k];
   const Real t = (gap - low.gap) / (high.gap - low.gap);
-  const Real s =
+  const Real share =
       wall ? low.wall + t * (high.wall - low.wall) : low.pair + t * (high.pair - low.pair);
-  return std::max(1 / gap - s, 0.0);
+  return std::max((1 - share) / gap, 0.0);
 }
 
 std::vector<Lubrication> find_lubrication(const SphereSet& set, const grid::Block& block,

@@ -8,7 +8,7 @@
 
 namespace porefines::flow {
 
-inline constexpr Real lubrication_range = 1.25;  ///< [cells] gaps beyond it the grid resolves
+inline constexpr Real lubrication_range = 2;  ///< [cells] gaps beyond it the grid resolves
 
 /// The gap between a sphere and the wall or grain next to it.
 struct WallGap {
@@ -23,17 +23,17 @@ struct WallGap {
 /// With a the radius, a_r = a1 a2/(a1 + a2) (a at a wall), g the gap in cells, not below the height
 /// of roughness:
 ///
-///     squeeze:      6 pi a_r^2 f(g) (U1 - U2).n        f = 1/g - s(g) below 1.25 cells
+///     squeeze:      6 pi a_r^2 f(g) (U1 - U2).n        f = (1 - s(g))/g below 2 cells
 ///     at a wall:    pi a L (0.8 slip at the contact, 2.4 U_t, 2.4 a^2 omega_t)
 ///     two spheres:  pi a L (slip, 0.6 a^2 (omega1 - omega2)_t),  a = 2 a_r
 ///                   L = ln(0.373/g) below 0.373 cells
 ///
 /// These are the leading terms of the exact resistances: 6 pi a_r^2/g (Brenner 1961; Cox 1974),
 /// (8/15, 2/15, 2/5) ln(a/g) (Goldman, Cox & Brenner 1967), (1/6, 1/5, 1/20) ln(a/g) (Jeffrey &
-/// Onishi 1984). s is what the grid resolves, measured for D = 6, 8 and 12 cells: it scales with
-/// a_r^2 and depends on g alone; so does the length in L. Towards a wall the sum is right to 2 %;
-/// between two spheres it is so in the mean over directions, single ones are off by up to a quarter
-/// where the gap is a fifth of a cell.
+/// Onishi 1984). s is the share that the grid resolves, measured for D = 6, 8 and 12 cells: the rest
+/// scales with a_r^2 and depends on g alone; so does the length in L. Towards a wall the sum is right
+/// to 2 %, to 1 % from a gap of one cell on; between two spheres it is so in the mean over directions,
+/// single ones are off by up to a quarter where the gap is a fifth of a cell.
 /// Tests: verification/lubrication (tables B1, B5 of references.md).
 struct Lubrication {
   int first = 0;    ///< held ball
@@ -53,7 +53,7 @@ struct Lubrication {
 void add_contact(const Lubrication& gap, const std::vector<Six>& motion, Real factor,
                  std::vector<Six>& force);
 
-/// 1/g - s(g), from 1.25 cells on zero.
+/// (1 - s(g))/g; zero from lubrication_range on.
 [[nodiscard]] Real missing_squeeze(Real gap, bool wall);
 
 /// All gaps that this rank counts: of balls whose contact lies in its block, and the walls given.

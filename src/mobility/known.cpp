@@ -42,14 +42,18 @@ flow::WallGap floor_below(Real gap) {
 
 Real wall_factor(int size, Real height) {
   const Real a = size / 2.0;
-  const int nx = 6 * size;
-  flow::StokesSolver solver = open_box({nx, nx, 5 * size}, slit_along_z());
+  const bool is_near = height < 1.3;
+  const int nx = (is_near ? 6 : 12) * size;
+  flow::StokesSolver solver = open_box({nx, nx, (is_near ? 5 : 10) * size}, slit_along_z());
+  const int places = is_near ? 10 : 2;
   Real mean = 0;
-  for (const Vec3& offset : on_wall) {
+  for (int k = 1; k <= places; ++k) {
+    // Roberts's sequence: evenly over the face of a cell
+    const Vec3 offset{std::fmod(0.754877666 * k, 1.0), std::fmod(0.569840291 * k, 1.0), 0};
     flow::Sphere q = sphere(1, {nx / 2.0 + offset.x, nx / 2.0 + offset.y, height * a}, a);
     q.force = {0, 0, 1};
     const auto motion = solve(solver, {}, {q}, {floor_below((height - 1) * a)}).front();
-    mean += 1 / (6 * pi * a * motion.velocity.z) / on_wall.size();
+    mean += 1 / (6 * pi * a * motion.velocity.z) / places;
   }
   return mean;
 }
@@ -99,7 +103,7 @@ Real tube_speed(int size, Real ratio) {
 }
 
 Approach approach(int size, Real distance, Real exact) {
-  const int n = 8 * size;
+  const int n = (distance > 3 ? 16 : 8) * size;
   const Real a = size / 2.0;
   flow::StokesSolver solver = open_box({n, n, n}, {});
   Approach out;

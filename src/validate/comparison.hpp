@@ -71,7 +71,6 @@ struct Comparison {
   std::vector<std::pair<std::string, std::string>> pictures =
       {};                    ///< of the first job: file, caption
   bool logarithmic = false;  ///< axis of the quantity
-  Real usual_seconds = 0;    ///< of all its runs together on the machine of docs/validate.md
 };
 
 /// All comparisons, those that take longest last.

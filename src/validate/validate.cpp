@@ -104,7 +104,6 @@ std::string comparison_json(const ValidateOptions& options, const Comparison& co
   json.set("reference", comparison.reference);
   json.set("logarithmic", comparison.logarithmic);
   json.set("seconds", seconds);
-  json.set("usual_seconds", comparison.usual_seconds);
   json.set("runs", comparison.jobs.size());
   json.set_json("literature", page::json_strings(comparison.literature));
   json.set_json("rows", page::json_list(rows));

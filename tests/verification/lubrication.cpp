@@ -10,7 +10,8 @@
 namespace porefines::mobility {
 
 TEST(Lubrication, sphere_towards_a_wall) {
-  for (const auto& [height, exact] : {std::pair{2.3524096, 1.8374748},
+  for (const auto& [height, exact] : {std::pair{3.7621957, 1.4128741},
+                                      {2.3524096, 1.8374748},
                                       {1.5430806, 3.0360645},
                                       {1.127626, 9.2517628},
                                       {1.0453, 23.679391}}) {
@@ -18,7 +19,9 @@ TEST(Lubrication, sphere_towards_a_wall) {
       const Real found = wall_factor(size, height);
       std::printf("[ measured ] h/a = %.4f, D = %d: %.4f, %+.2f %%\n", height, size, found,
                   100 * (found / exact - 1));
-      EXPECT_NEAR(found / exact, 1, 0.02) << "h/a = " << height << ", D = " << size;
+      const Real gap = (height - 1) * size / 2;
+      EXPECT_NEAR(found / exact, 1, gap >= 1 ? 0.01 : 0.02)
+          << "h/a = " << height << ", D = " << size;
     }
   }
 }
@@ -46,11 +49,11 @@ TEST(Lubrication, sphere_along_a_wall_and_in_shear) {
 /// Approaching: the mean over directions and places against the grid.
 TEST(Lubrication, two_spheres_on_their_line_of_centres) {
   for (const auto& [distance, exact, scatter] :
-       {std::tuple{4.0, 1.59668, 0.03}, {2.5, 2.77242, 0.04}, {2.05, 12.71129, 0.3}}) {
+       {std::tuple{4.0, 1.59668, 0.01}, {2.5, 2.77242, 0.02}, {2.05, 12.71129, 0.3}}) {
     const Approach found = approach(6, distance, exact);
     std::printf("[ measured ] r/a = %.2f: mean %+.2f %%, worst %.1f %%\n", distance,
                 100 * (found.mean - 1), 100 * found.worst);
-    EXPECT_NEAR(found.mean, 1, 0.02) << "r/a = " << distance;
+    EXPECT_NEAR(found.mean, 1, distance > 2.4 ? 0.01 : 0.02) << "r/a = " << distance;
     EXPECT_LT(found.worst, scatter) << "r/a = " << distance;
   }
 }

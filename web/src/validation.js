@@ -47,15 +47,15 @@ function figure(section, comparison) {
   });
 }
 
-/** Wall time of every comparison beside that on the machine where the release was made. */
+/** Wall time of every comparison. */
 function timings(comparisons) {
   const seconds = (value) => (value > 0 ? duration(value) : "–");
   return h("section", { id: "timings-section" }, h("h2", {}, "Timings"),
-    h("p", {}, "Wall time of the runs of each comparison, beside that on the developers' machine (docs/validate.md): for information, nothing here is red or green."),
+    h("p", {}, "Wall time of the runs of each comparison: for information, nothing here is red or green."),
     h("div", { class: "scroll tall" }, h("table", { class: "log comparison" },
-      h("thead", {}, h("tr", {}, ...["", "runs", "here", "developers' machine"].map((text) => h("th", { scope: "col" }, text)))),
-      h("tbody", {}, ...comparisons.map(({ title, runs, seconds: here, usual_seconds: usual }) => h("tr", {},
-        h("th", { scope: "row" }, title), h("td", {}, runs), h("td", {}, seconds(here)), h("td", {}, seconds(usual))))))));
+      h("thead", {}, h("tr", {}, ...["", "runs", "wall time"].map((text) => h("th", { scope: "col" }, text)))),
+      h("tbody", {}, ...comparisons.map(({ title, runs, seconds: took }) => h("tr", {},
+        h("th", { scope: "row" }, title), h("td", {}, runs), h("td", {}, seconds(took))))))));
 }
 
 export function showValidation(page, data) {
