@@ -2,6 +2,7 @@
 #include "dem/surface_field.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "dem/surface_foot.hpp"
 #include "geom/nearest.hpp"
@@ -66,14 +67,17 @@ struct Start {
 };
 
 struct Starts {
-  static constexpr std::size_t capacity = 128;
+  static constexpr std::size_t capacity = 256;
   std::size_t count = 0;
   int lost = 0;
+  Start nearest{};  ///< of all points, likely to lead to a foot or not
   std::array<Start, capacity> start;
 };
 
 /// Points near a foot: where the way to the centre is almost along the normal.
 void find_starts(const SurfacePoints& points, const Vec3& c, Real within, Starts& out) {
+  out.count = 0, out.lost = 0;
+  out.nearest = {std::numeric_limits<Real>::max(), {}, {}};
   constexpr Real slack =
       0.15;  // a foot is at most so much nearer than the tangent plane at a start
   points.for_each_near(c, within + spacing, [&](std::size_t p) {
@@ -84,6 +88,9 @@ void find_starts(const SurfacePoints& points, const Vec3& c, Real within, Starts
     const Real d = dot(away, normal);
     const Real square = dot(away, away);
     const Real stretch = 1 + std::abs(d) * shape.bend;
+    if (square < out.nearest.square) {
+      out.nearest = {square, at, at};
+    }
     if (d > within + slack || square - d * d > near_foot * near_foot * stretch * stretch) {
       return;
     }
@@ -130,6 +137,28 @@ void descend(const DistanceField& field, const Vec3& c, const Starts& starts, Fe
       ++out.lost;
     }
   }
+}
+
+/// On edges sharper than a voxel no point may look like the start of a descent: no foot is farther than the nearest
+/// point of the surface.
+void descend_from_nearest(const DistanceField& field, const Vec3& c, Real within,
+                          const Start& nearest, Feet& out) {
+  if (nearest.square >= within * within || out.count == out.foot.size()) {
+    return;
+  }
+  for (std::size_t f = 0; f < out.count; ++f) {
+    const Real distance = out.foot[f].distance;
+    if (distance * distance <= nearest.square) {
+      return;
+    }
+  }
+  Foot foot = find_foot(field.spline, c, nearest.at);
+  if (!foot.found) {  // the descent did not settle: near the foot at least
+    const Real distance = std::sqrt(nearest.square);
+    const Real side = field.spline.jet(c).f < 0 ? -1 : 1;
+    foot = {nearest.at, (side / distance) * (c - nearest.at), side * distance, 1, true};
+  }
+  out.foot[out.count++] = foot;
 }
 
 bool covers(const DistanceField& field, const Vec3& x, Real distance) {
@@ -184,9 +213,10 @@ void find_touches(const DistanceField& field, const Vec3& centre, Real radius, R
   }
   static thread_local Starts starts;  // kilobytes that would be cleared at every call
   static thread_local Feet feet;
-  starts.count = feet.count = 0, starts.lost = feet.lost = 0;
+  feet.count = 0, feet.lost = 0;
   find_starts(field.points, x, within, starts);
   descend(field, x, starts, feet);
+  descend_from_nearest(field, x, within, starts.nearest, feet);
   out.lost += starts.lost + feet.lost;
   const std::span<Foot> found = keep_near_side({feet.foot.data(), feet.count}, within);
   if (found.size() > 1) {

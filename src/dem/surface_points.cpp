@@ -10,6 +10,8 @@ namespace {
 constexpr float near_surface = 1.3F;  // [voxels] |s| of voxels from which a point is looked for
 constexpr Real own_share = 0.65;      // [voxels] from the voxel centre, per axis
 constexpr Real least_slope = 0.2;
+constexpr Real settled =
+    0.02;  // [voxels] of the last step: a grain that smoothing took away has no point
 
 Vec3 apply(const Jet& j, const Vec3& a) {
   return {j.xx * a.x + j.xy * a.y + j.xz * a.z, j.xy * a.x + j.yy * a.y + j.yz * a.z,
@@ -27,6 +29,7 @@ bool find_point(const SurfaceSpline& spline, const Int3& voxel, Found& out) {
   const Vec3 centre{1.0 * voxel[0], 1.0 * voxel[1], 1.0 * voxel[2]};
   Vec3 x = centre;
   Jet jet;
+  Real last = 0;
   for (int step = 0; step < 4; ++step) {
     jet = spline.jet(x);
     const Real square = dot(jet.g, jet.g);
@@ -34,13 +37,14 @@ bool find_point(const SurfaceSpline& spline, const Int3& voxel, Found& out) {
       return false;
     }
     x -= (jet.f / square) * jet.g;
+    last = std::abs(jet.f) / std::sqrt(square);
     const Vec3 off = x - centre;
     if (std::max({std::abs(off.x), std::abs(off.y), std::abs(off.z)}) > 1.5) {
       return false;
     }
   }
   const Vec3 off = x - centre;
-  if (std::max({std::abs(off.x), std::abs(off.y), std::abs(off.z)}) > own_share) {
+  if (last > settled || std::max({std::abs(off.x), std::abs(off.y), std::abs(off.z)}) > own_share) {
     return false;
   }
   const Bending b = bending(jet);
@@ -48,7 +52,7 @@ bool find_point(const SurfaceSpline& spline, const Int3& voxel, Found& out) {
   const Real most = mean + std::hypot(0.5 * (b.uu - b.vv), b.uv);
   out.x = x;
   out.shape = {{static_cast<float>(b.n.x), static_cast<float>(b.n.y), static_cast<float>(b.n.z)},
-               static_cast<float>(std::clamp<Real>(most, 0, 1))};
+               static_cast<float>(std::clamp<Real>(most, 0, 4))};
   for (int axis = 0; axis < 3; ++axis) {
     out.bin[static_cast<std::size_t>(axis)] = SurfacePoints::bin_of(x[axis]);
   }

@@ -17,7 +17,7 @@ struct SurfacePoints {
 
   struct Shape {
     std::array<float, 3> normal;  ///< unit, into the pore
-    float bend;                   ///< [1/voxel] largest curvature towards the pore, 0..1
+    float bend;                   ///< [1/voxel] largest curvature towards the pore, 0..4
   };
 
   Int3 first_bin{0, 0, 0};

@@ -41,13 +41,13 @@ Distance half_space(const Vec3& through, Real angle) {
 }
 
 /// Grains as a rock has them: many overlapping balls.
-Distance rubble(int size, int count, unsigned seed) {
+Distance rubble(int size, int count, unsigned seed, Real smallest = 5, Real largest = 10) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<Real> uniform(0, 1);
   Distance all = [](const Vec3&) { return 1e3; };
   for (int b = 0; b < count; ++b) {
     const Vec3 c{size * uniform(random), size * uniform(random), size * uniform(random)};
-    all = unite(all, ball(c, 5 + 5 * uniform(random)));
+    all = unite(all, ball(c, smallest + (largest - smallest) * uniform(random)));
   }
   return all;
 }
@@ -207,6 +207,41 @@ TEST(DistanceField, no_minimum_is_missed_in_rubble) {
   }
   EXPECT_GT(compared, 300);
   EXPECT_GT(free, 50);
+}
+
+/// Grains of one to three voxels leave edges sharper than a voxel. Without the descent from the nearest point 2 of
+/// 1,000 touching spheres saw nothing of it, or of what they touched deepest.
+TEST(DistanceField, no_sphere_overlaps_a_rough_surface_unseen) {
+  constexpr int n = 40;
+  const auto field = make_field(test::pictured({n, n, n}, 1, rubble(n, 550, 3, 0.8, 3)), 8);
+  std::mt19937 random(4);
+  std::uniform_real_distribution<Real> uniform(2, n - 2.0);
+  int compared = 0;
+  for (const Real radius : {2.06, 4.0}) {
+    for (int trial = 0; trial < 20'000; ++trial) {
+      const Vec3 c{uniform(random), uniform(random), uniform(random)};
+      const Vec3 x = to_voxels(field, c, 1);
+      const TouchList found = touches(field, c, radius, 0);
+      if (found.inside) {
+        continue;
+      }
+      EXPECT_EQ(found.lost, 0);
+      Real nearest = radius;
+      field.points.for_each_near(x, radius, [&](std::size_t p) {
+        const Vec3 at{field.points.x[p], field.points.y[p], field.points.z[p]};
+        nearest = std::min(nearest, norm(x - at));
+      });
+      if (nearest < radius - 0.01) {
+        Real deepest = 0;
+        for (const Touch& touch : found.view()) {
+          deepest = std::min(deepest, touch.gap);
+        }
+        EXPECT_LT(deepest, nearest - radius + 0.01) << c.x << " " << c.y << " " << c.z;
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GT(compared, 20'000);
 }
 
 TEST(DistanceField, touches_do_not_depend_on_the_window) {
