@@ -99,7 +99,8 @@ std::vector<Key> contact_keys() {
                   "the step is the shortest contact's duration over this"),
       quantity_key("contact.max_overlap", part, &Contact::max_overlap, kind::number,
                    Range{1e-6, 0.5}, "",
-                   "largest overlap allowed, in radii; the run stops when it is exceeded"),
+                   "largest overlap allowed, in radii; the run stops when it is exceeded, creeping "
+                   "fines in a flow become stiffer instead"),
       quantity_key("contact.top_speed", part, &Contact::top_speed, kind::velocity, above_zero,
                    "found from gravity, the box and the speeds at the start",
                    "largest speed of an impact to expect; the step follows from it"),

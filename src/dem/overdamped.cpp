@@ -39,31 +39,46 @@ void extrapolate(Particles& p, Real dt) {
         free && c.drift_step[i] > 0 ? std::min(dt / c.drift_step[i], longest_ahead) / 2 : 0;
     c.way[i] = w + ahead * (w - c.drift[i]);
     c.way_spin[i] = s + ahead * (s - c.drift_spin[i]);
-    c.drift[i] = w, c.drift_spin[i] = s, c.drift_step[i] = dt;
+    c.drift[i] = w, c.drift_spin[i] = s;
     c.mean_force[i] = {}, c.mean_torque[i] = {}, c.mean_velocity[i] = {};
   }
 }
 
-/// x += step U
-/// @return the largest speed [m/s]; infinite when one is not a number
-Real move(Particles& p, Real step) {
+/// [m/s] infinite when one is not a number
+Real fastest_of(const Particles& p) {
   Real fastest = 0;
   bool finite = true;
   for (std::size_t i = 0; i < p.owned; ++i) {
     const Real speed = dot(p.velocity[i], p.velocity[i]);
     fastest = std::max(fastest, speed);
     finite = finite && speed < std::numeric_limits<Real>::max();
-    p.position[i] += step * p.velocity[i];
   }
   return finite ? std::sqrt(fastest) : std::numeric_limits<Real>::infinity();
 }
 
-/// A substep counts by its share of the step, with the forces at its end: what an implicit rule applies.
-void add_to_mean(Particles& p, Real share) {
+/// x += step U
+void move(Particles& p, Real step) {
   for (std::size_t i = 0; i < p.owned; ++i) {
-    p.creeping.mean_force[i] += share * p.force[i];
-    p.creeping.mean_torque[i] += share * p.torque[i];
-    p.creeping.mean_velocity[i] += share * p.velocity[i];
+    p.position[i] += step * p.velocity[i];
+  }
+}
+
+/// A substep counts by its length, with the forces at its end: what an implicit rule applies.
+void add_to_mean(Particles& p, Real step) {
+  for (std::size_t i = 0; i < p.owned; ++i) {
+    p.creeping.mean_force[i] += step * p.force[i];
+    p.creeping.mean_torque[i] += step * p.torque[i];
+    p.creeping.mean_velocity[i] += step * p.velocity[i];
+  }
+}
+
+void finish_mean(Particles& p, Real elapsed) {
+  Creeping& c = p.creeping;
+  for (std::size_t i = 0; i < p.owned; ++i) {
+    c.mean_force[i] = c.mean_force[i] / elapsed;
+    c.mean_torque[i] = c.mean_torque[i] / elapsed;
+    c.mean_velocity[i] = c.mean_velocity[i] / elapsed;
+    c.drift_step[i] = elapsed;
   }
 }
 
@@ -75,7 +90,8 @@ void System::start_creeping() {
   particles_.resize(particles_.owned);
 }
 
-/// The next substep: at most `longest`, and no pair comes too near in it.
+/// The next substep: at most `longest`, and nobody comes too near in it: straight on, or by going along a
+/// wall that curves towards it like the particle itself.
 Real System::creep_limit(Real longest, Real allowed) {
   const Particles& p = particles_;
   Real step = longest;
@@ -90,7 +106,12 @@ Real System::creep_limit(Real longest, Real allowed) {
     limit(distance - p.radius[i] - p.radius[j], -dot(d, p.velocity[i] - p.velocity[j]) / distance);
   });
   walls_.for_near(p, window_, moved_, [&](std::uint32_t i, const Touch& touch, int /*species*/) {
-    limit(touch.gap, -dot(touch.normal, p.velocity[i] - touch.velocity));
+    const Vec3 slip = p.velocity[i] - touch.velocity;
+    limit(touch.gap, -dot(touch.normal, slip));
+    const Real room = p.radius[i] * (std::max(touch.gap, 0.0) + allowed);
+    if (step * step * dot(slip, slip) > room) {
+      step = std::sqrt(room / dot(slip, slip));
+    }
   });
   // Rolling resistance is not in the implicit rule: then the explicit bound holds.
   const bool rolls = !std::holds_alternative<Unresisted>(settings_.model.rolling);
@@ -102,13 +123,15 @@ Real System::creep_limit(Real longest, Real allowed) {
   return comm_.min(step);
 }
 
-/// Contact forces where the particles are, their springs stretched over the substep that led there.
+/// Contact forces where the particles are, their springs stretched over the substep that led there. The largest
+/// overlap is that at the end of steps, where the liquid meets it: an edge of a photographed grain that comes
+/// into sight too late is left again at once.
 void System::creep_forces(Real stretched) {
   particles_.clear_forces();
   contact_forces({stretched, true});
 }
 
-CreepReport System::creep(Real dt, Real allowed_approach) {
+CreepReport System::creep(Real dt, const CreepBounds& bounds) {
   if (!particles_.creeps) {
     throw std::logic_error("System::creep before start_creeping");
   }
@@ -120,24 +143,35 @@ CreepReport System::creep(Real dt, Real allowed_approach) {
   moves_ = true;
   extrapolate(particles_, dt);
   walls_.forget_sights();
-  CreepReport report{0, dt};
+  CreepReport report{0, dt, 0};
+  const Real deepest_pair = pairs_.largest_overlap();
+  const Real deepest_wall = walls_.largest_overlap();
   creep_forces(0);
   Real longest = dt / fewest;
-  for (Real left = dt; left > 0; ++report.substeps, ++work_.steps) {
+  Real room = bounds.travel;
+  for (Real left = dt; left > 0 && room > 0; ++report.substeps, ++work_.steps) {
     const Real wanted = std::min(left, longest);
     balance_.collect(particles_, pairs_, walls_, settings_.model, settings_.materials, wanted);
     balance_.solve(particles_, wanted, exchange_, comm_);
     exchange_.refresh(particles_, false);
-    const Real step = creep_limit(balance_.none() ? left : wanted, allowed_approach);
-    const Real fastest = move(particles_, step);
+    const Real fastest = comm_.max(fastest_of(particles_));
+    const Real near = creep_limit(balance_.none() ? left : wanted, bounds.approach);
+    const bool is_last = fastest * near >= room;
+    const Real step = is_last ? room / fastest : near;
+    move(particles_, step);
     walls_.advance(step);
     update_lists(fastest, step);
+    pairs_.reset_largest_overlap(deepest_pair);
+    walls_.reset_largest_overlap(deepest_wall);
     creep_forces(step);
-    add_to_mean(particles_, step / dt);
+    add_to_mean(particles_, step);
     report.shortest = std::min(report.shortest, step);
+    report.elapsed += step;
+    room = is_last ? 0 : room - fastest * step;
     left = step < left ? left - step : 0;
     longest = std::min(dt / fewest, growth * step);
   }
+  finish_mean(particles_, report.elapsed);
   check_walls();
   return report;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -70,10 +71,19 @@ struct Snapshot {
   Real largest_overlap = 0;  ///< System::largest_overlap, of this rank
 };
 
+/// How far System::creep may go: what meets comes nearer by at most `approach` in a substep; the step
+/// ends early where somebody has gone `travel`, since what the flow would do there is no longer known:
+/// what grains held lets go at the speed that the drag on it gives in the open.
+struct CreepBounds {
+  Real approach = 0;                                    ///< [m]
+  Real travel = std::numeric_limits<Real>::infinity();  ///< [m] of the fastest, in a step
+};
+
 /// What one step of System::creep took.
 struct CreepReport {
   Index substeps = 0;
   Real shortest = 0;  ///< [s] substep
+  Real elapsed = 0;   ///< [s] of the step
 };
 
 /// One touching pair, for output.
@@ -118,12 +128,12 @@ class System {
   ///     U = W + (F_contact + F_external)/R,    W = U* - F*/R extrapolated by AB2
   ///
   /// and the same for rotation. In: Particles::creeping's U*, F*, R and their rotational partners.
-  /// Positions advance in substeps by the linearly implicit rule of CreepBalance, such that no pair
-  /// comes nearer by more than `allowed_approach` in one of them; without contacts, in one.
+  /// Positions advance in substeps by the linearly implicit rule of CreepBalance, short enough for
+  /// `bounds`; without contacts, in one.
   /// Out: mean_force and mean_torque, the contact forces averaged over the step: what the next solve
   /// is told as F*. Inertia, dashpots and gravity play no part (algorithm.md section 5).
   /// Tests: verification/dem_overdamped, mpi/dem.
-  CreepReport creep(Real dt, Real allowed_approach);
+  CreepReport creep(Real dt, const CreepBounds& bounds);
 
   /// Multiplies every modulus, see softening() in step_size.hpp; above 1: takes softening back.
   void soften(Real factor);

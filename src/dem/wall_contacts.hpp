@@ -83,7 +83,7 @@ class WallContacts {
   [[nodiscard]] const Surfaces& surfaces() const { return surfaces_; }
   [[nodiscard]] const WallTrouble& trouble() const { return trouble_; }
   [[nodiscard]] Real largest_overlap() const { return largest_overlap_; }
-  void reset_largest_overlap() { largest_overlap_ = 0; }
+  void reset_largest_overlap(Real to = 0) { largest_overlap_ = to; }
   [[nodiscard]] const Spent& spent() const { return spent_; }
   void reset_spent(const Spent& to) { spent_ = to; }
 

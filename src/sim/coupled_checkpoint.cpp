@@ -16,8 +16,8 @@ namespace {
 /// Calls visit(number) for every real number of the state, in a fixed order.
 template <typename State, typename Visit>
 void for_reals(State& s, const Visit& visit) {
-  visit(s.stiffness), visit(s.drive_factor), visit(s.fluid_passed), visit(s.volume_in),
-      visit(s.volume_out);
+  visit(s.stiffness), visit(s.deepest), visit(s.drive_factor), visit(s.fluid_passed),
+      visit(s.volume_in), visit(s.volume_out);
 }
 
 template <typename Now, typename Visit>

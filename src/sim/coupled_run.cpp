@@ -32,13 +32,12 @@ Outcome simulate(CoupledRun& run, CoupledSink& sink, const RunCanvas& canvas,
   }
   write_coupled(run, sink, "", canvas, solid);
   while (now.time < run.the_case.run.end_time && limit_reached(run).empty()) {
-    const Real step = choose_step(run);
-    move_particles(run, step);                          // with the flow and against each other
-    stiffen_contacts(run);                              // before overlaps reach their bound
-    const std::string left = pass_openings(run, step);  // out, and in
-    require_healthy(run.particles);                     // overlaps within their bound
-    solve_flow(run);                                    // fluid and rigid particles in one system
-    write_coupled(run, sink, left, canvas, solid);      // of this moment
+    const Real step = move_particles(run, choose_step(run));  // with the flow and each other
+    stiffen_contacts(run);                                    // before overlaps reach their bound
+    const std::string left = pass_openings(run, step);        // out, and in
+    require_bearable(run);                                    // overlaps within their bound
+    solve_flow(run);                                // fluid and rigid particles in one system
+    write_coupled(run, sink, left, canvas, solid);  // of this moment
     if (const auto stop = keeper.after_step(now.time, now.steps)) {
       return *stop;
     }

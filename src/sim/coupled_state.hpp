@@ -38,6 +38,7 @@ struct CoupledState {
   Index substeps = 0;
   Real stiffness = 1;                    ///< factor on all moduli, see soften()
   Index stiffened = 0;                   ///< how often it was raised
+  Real deepest = 0;                      ///< [radii] overlap for which it was raised last
   Index clogged_throats = 0;             ///< at the last sample
   analysis::ReadingState readings = {};  ///< rank 0
 };
@@ -101,7 +102,8 @@ void solve_flow(CoupledRun& run);
 [[nodiscard]] Real choose_step(const CoupledRun& run);
 
 /// Moves the particles with the flow and against each other, overdamped (System::creep).
-void move_particles(CoupledRun& run, Real step);
+/// @return [s] less than `step` where something was let go and has gone half as far again as a step allows
+Real move_particles(CoupledRun& run, Real step);
 
 /// Tolerance and cycles of a step of the fluid with inertia, or of the explicit coupling.
 [[nodiscard]] flow::StepOptions step_options(const config::Case& the_case);
@@ -112,9 +114,12 @@ void count_solve(CoupledRun& run, int cycles, Real residual);
 /// Grains and walls within a cell or so of the spheres of this rank.
 [[nodiscard]] std::vector<flow::WallGap> walls_near(const CoupledRun& run);
 
-/// Contacts become twice as stiff, up to the moduli of the case, when an overlap has come near its
-/// bound: an arch presses harder than the lone fine that the run begins with in mind.
+/// Contacts become twice as stiff or more when an overlap has come near its bound: an arch presses harder
+/// than the lone fine that the run begins with in mind, a wedged fine harder still.
 void stiffen_contacts(CoupledRun& run);
+
+/// @throws RunError  overlaps beyond their bound, and contacts as stiff as can be; or ten times the bound
+void require_bearable(const CoupledRun& run);
 
 /// What left through openings, and what became due at the inlets.
 /// @return rows of those that left, for tracks.csv

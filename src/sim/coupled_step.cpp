@@ -17,6 +17,15 @@ namespace {
 /// Share of the largest overlap by which two particles may come nearer in one substep.
 constexpr Real approach_share = 0.25;
 
+/// Travel in a step over coupling.travel, at most: what the flow carries at an expected speed may be faster by this.
+constexpr Real longest_travel = 1.5;
+
+/// On the moduli of the case, at most. Where particles creep their stiffness is a matter of computing: nothing but
+/// overlaps depends on it, and a fine wedged in a crevice presses its walls with many times the drag.
+Real hardest_contact(const CoupledRun& run) {
+  return config::is_inertial(run.the_case) ? 1 : 1000;
+}
+
 /// How much longer than the last the next step may be. Not suddenly longer: forces on what has just been
 /// caught settle first. And what is held back by grains, so slow that its travel would allow any step,
 /// feels the flow change on its little way: with dU*/dx dt above 1 it swings about its place, above 2
@@ -69,10 +78,10 @@ Real choose_step(const CoupledRun& run) {
   return left / std::max(std::ceil(left / longest - 1e-9), 1.0);  // equal steps to the sample
 }
 
-void move_particles(CoupledRun& run, Real step) {
+Real move_particles(CoupledRun& run, Real step) {
   if (config::is_inertial(run.the_case)) {
     move_with_inertia(run, step);
-    return;
+    return step;
   }
   DryRun& particles = run.particles;
   const dem::Particles& p = particles.system.particles();
@@ -82,23 +91,52 @@ void move_particles(CoupledRun& run, Real step) {
   }
   smallest = run.comm().min(smallest);
   if (std::isfinite(smallest)) {
-    const Real approach = approach_share * run.the_case.contact.max_overlap * smallest;
-    run.state.substeps += particles.system.creep(step, approach).substeps;
+    const Vec3& h = run.domain.spacing;
+    const dem::CreepReport report = particles.system.creep(
+        step, {approach_share * run.the_case.contact.max_overlap * smallest,
+               longest_travel * run.the_case.coupling.travel * std::min({h.x, h.y, h.z})});
+    run.state.substeps += report.substeps;
+    step = report.elapsed;
   }
   advance_clock(particles.state, {step, 1}, next_sample(particles));
   run.state.fluid_passed += std::abs(run.now.darcy.flow_rate) * step;
+  return step;
 }
 
 void stiffen_contacts(CoupledRun& run) {
+  constexpr Real deeper = 1.05;
   CoupledState& state = run.state;
-  // Each time nearer to the bound, since the largest overlap so far counts: 1/2, 0.65, 0.76, ... of it.
-  const Real near = run.the_case.contact.max_overlap *
-                    (1 - 0.5 * std::pow(0.7, static_cast<Real>(state.stiffened)));
-  if (state.stiffness < 1 && run.particles.system.largest_overlap() > near) {
-    const Real factor = std::min(2.0, 1 / state.stiffness);
+  const Real bound = run.the_case.contact.max_overlap;
+  const Real overlap = run.particles.system.largest_overlap();
+  // Each time nearer to the bound, and only for a new record: what friction holds wedged in stays where
+  // it is, and would be pressed ever harder.
+  const Real near = bound * (1 - 0.5 * std::pow(0.7, static_cast<Real>(state.stiffened)));
+  const Real most = hardest_contact(run);
+  if (state.stiffness < most && overlap > std::max(near, deeper * state.deepest)) {
+    const Real wanted = std::clamp(std::pow(overlap / bound, 1.5), 2.0, 8.0);
+    const Real factor = std::min(wanted, most / state.stiffness);
     run.particles.system.soften(factor);
     state.stiffness *= factor;
+    state.deepest = overlap;
     ++state.stiffened;
+  }
+}
+
+void require_bearable(const CoupledRun& run) {
+  constexpr Real bearable = 10;
+  if (run.state.stiffness >= hardest_contact(run)) {
+    require_healthy(run.particles);
+    return;
+  }
+  const Real overlap = run.particles.system.largest_overlap();
+  const Real most = run.the_case.contact.max_overlap;
+  if (overlap > bearable * most) {
+    throw RunError(fmt::format(
+        "two particles, or one and a wall, overlap by {:.3g} of a radius at {:.6g} s, although "
+        "contacts stiffen towards [contact] max_overlap = {:.3g}\ntry a smaller coupling.travel "
+        "(now "
+        "{:.3g} cells)",
+        overlap, run.time(), most, run.the_case.coupling.travel));
   }
 }
 

@@ -111,7 +111,7 @@ void advance_clock(DryState& state, const Stretch& stretch, Real due);
 /// @throws RunError  a particle went through a wall
 [[nodiscard]] std::string take_out(DryRun& run);
 
-/// @throws RunError  overlaps beyond the bound, with the modulus that would do
+/// @throws RunError  overlaps beyond contact.max_overlap, with the modulus that would do
 void require_healthy(const DryRun& run);
 
 }  // namespace porefines::sim

@@ -71,6 +71,16 @@ TEST_F(Coupled, a_fine_larger_than_the_throat_is_sieved_and_stays) {
   EXPECT_LT(number(json, "max_overlap"), 0.01);
 }
 
+/// Modulus and bound of this case would let the fine sink in by 7 % of its radius, and did end the run; where
+/// particles creep they are made as stiff as the bound asks.
+TEST_F(Coupled, soft_fines_become_as_stiff_as_the_bound_of_overlaps_asks) {
+  place(9e-6);
+  const auto result = run(throat_case, {"particles.0.young=3 kPa", "contact.max_overlap=0.005"});
+  ASSERT_EQ(result.exit_code, 0) << result.output;
+  EXPECT_EQ(number(summary(), "wall_contacts"), 2);
+  EXPECT_LT(number(summary(), "mean_speed_m_s"), 1e-3 * 1.3e-3);
+}
+
 /// Nothing but contacts holds it, so four times the pressure holds it as well, pressed a little deeper; the
 /// flow back takes it along.
 TEST_F(Coupled, a_sieved_fine_stays_at_a_higher_drive_and_leaves_at_one_backwards) {

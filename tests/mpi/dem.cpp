@@ -162,7 +162,7 @@ TEST(DemRanks, creeping_crowd) {
         p.creeping.resistance[i] = 6 * std::numbers::pi * 1e-3 * p.radius[i];
         p.creeping.spin_resistance[i] = 8 * std::numbers::pi * 1e-3 * std::pow(p.radius[i], 3);
       }
-      substeps += system.creep(4e-4, 1e-3 * d).substeps;
+      substeps += system.creep(4e-4, {1e-3 * d}).substeps;
     }
     EXPECT_GT(substeps, 20);
     return system;

@@ -50,6 +50,20 @@ void solve(System& system, const std::function<Vec3(const Vec3&)>& velocity) {
 
 }  // namespace
 
+/// What was held and is let go in the middle of a step goes no farther than the bound.
+TEST(Overdamped, a_step_ends_where_somebody_has_gone_far_enough) {
+  System system(par::Communicator::self(), soft_settings());
+  system.start_creeping();
+  system.insert(std::vector{sphere(1, {10 * d, 10 * d, 10 * d}, d / 2, 1050)});
+  tell(system, [](const Vec3&) { return Vec3{2e-3, 0, 0}; });
+  const auto far = system.creep(0.1 * d / 1e-3, {1e-3 * d, 0.05 * d});
+  EXPECT_NEAR(far.elapsed, 0.025 * d / 1e-3, 1e-12 * far.elapsed);
+  EXPECT_NEAR(system.particles().position[0].x, 10.05 * d, 1e-12 * d);
+  EXPECT_NEAR(system.particles().creeping.mean_velocity[0].x, 2e-3, 1e-12);
+  const auto near = system.creep(0.01 * d / 1e-3, {1e-3 * d, 0.05 * d});
+  EXPECT_NEAR(near.elapsed, 0.01 * d / 1e-3, 1e-12 * near.elapsed);
+}
+
 TEST(Overdamped, free_particles_follow_a_vortex_to_second_order) {
   const auto vortex = [](const Vec3& x) {
     return Vec3{-100 * (x.y - 10 * d), 100 * (x.x - 10 * d), 0};
@@ -63,7 +77,7 @@ TEST(Overdamped, free_particles_follow_a_vortex_to_second_order) {
     const Real time = 0.02;
     for (int n = 0; n < steps; ++n) {
       tell(system, vortex);
-      const auto report = system.creep(time / steps, 1e-3 * d);
+      const auto report = system.creep(time / steps, {1e-3 * d});
       EXPECT_EQ(report.substeps, 1);  // nothing near: one move per step
     }
     const Vec3 exact{(10 + 4 * std::cos(2.0)) * d, (10 + 4 * std::sin(2.0)) * d, 10 * d};
@@ -81,7 +95,7 @@ TEST(Overdamped, a_sphere_pushed_onto_a_wall_comes_to_rest_in_balance) {
   system.insert(std::vector<Body>{sphere(1, {10 * d, 10 * d, 0.7 * d}, d / 2, 1050)});
   for (int n = 0; n < 20; ++n) {  // the wall is 0.2 d away; a step is half a cell of d/10
     solve(system, [](const Vec3&) { return Vec3{0, 0, -1e-3}; });
-    (void)system.creep(0.05 * d / 1e-3, 1e-3 * d);
+    (void)system.creep(0.05 * d / 1e-3, {1e-3 * d});
   }
   const auto& p = system.particles();
   EXPECT_NEAR(p.creeping.mean_force[0].z / (drag * 1e-3), 1, 1e-6);
@@ -101,12 +115,12 @@ TEST(Overdamped, the_mean_force_keeps_the_told_force_from_acting_twice) {
   system.insert(std::vector<Body>{sphere(1, {10 * d, 10 * d, 0.5 * d}, d / 2, 1050)});
   for (int n = 0; n < 20; ++n) {
     solve(system, [](const Vec3&) { return Vec3{0, 0, -1e-3}; });
-    (void)system.creep(0.05 * d / 1e-3, 1e-3 * d);
+    (void)system.creep(0.05 * d / 1e-3, {1e-3 * d});
   }
   const Vec3 before = system.particles().position[0];
   solve(system, [](const Vec3&) { return Vec3{0, 0, -1e-3}; });
   EXPECT_NEAR(system.particles().creeping.free_velocity[0].z, 0, 1e-9);
-  (void)system.creep(1e-3, 1e-3 * d);
+  (void)system.creep(1e-3, {1e-3 * d});
   EXPECT_LT(norm(system.particles().position[0] - before), 1e-7 * d);
 }
 
@@ -125,7 +139,7 @@ TEST(Overdamped, a_column_carries_the_drag_of_all_above) {
   Index substeps = 0;
   for (int n = 0; n < 60; ++n) {
     solve(system, [](const Vec3&) { return Vec3{0, 0, -1e-3}; });
-    substeps += system.creep(0.05 * d / 1e-3, 1e-3 * d).substeps;
+    substeps += system.creep(0.05 * d / 1e-3, {1e-3 * d}).substeps;
   }
   for (const auto& contact : system.contacts()) {
     const Real above =
@@ -148,7 +162,7 @@ TEST(Overdamped, a_sphere_pressed_onto_a_wall_slides_or_rolls) {
     system.insert(std::vector<Body>{sphere(1, {4 * d, 10 * d, 0.5 * d}, d / 2, 1050)});
     for (int n = 0; n < 20; ++n) {
       solve(system, [](const Vec3&) { return Vec3{1e-3, 0, -1e-3}; });
-      (void)system.creep(0.05 * d / 1e-3, 1e-3 * d);
+      (void)system.creep(0.05 * d / 1e-3, {1e-3 * d});
     }
     const auto& p = system.particles();
     const Real held = std::min(mu, 4.0 / 7);
@@ -171,7 +185,7 @@ TEST(Overdamped, spheres_that_press_each_other_travel_together) {
           x.x < std::max(system.particles().position[0].x, system.particles().position[1].x);
       return Vec3{behind ? 2e-3 : 1e-3, 0, 0};
     });
-    (void)system.creep(0.05 * d / 1e-3, 1e-3 * d);
+    (void)system.creep(0.05 * d / 1e-3, {1e-3 * d});
   }
   for (const int i : {0, 1}) {
     EXPECT_NEAR(system.particles().velocity[i].x / 1.5e-3, 1, 1e-5);
