@@ -15,6 +15,8 @@ namespace {
 
 constexpr Real cycles_per_step = 6;        ///< warm solves of 131 to 827 spheres took 5 to 6
 constexpr Real bytes_per_particle = 20e3;  ///< links and covered faces at 6 to 8 cells a diameter
+constexpr Real bytes_per_cell = 180;       ///< throats, places of the spheres, fields of the moment
+constexpr Real movie_bytes = 100e6;        ///< of the encoder
 constexpr Real peak_over_mean = 3;         ///< of the speed in pores: 1.5 in a slit, 2 in a tube
 
 Real mean_volume_of(const config::Particles& species) {
@@ -76,7 +78,10 @@ ParticlePlan plan_particles(const config::Case& the_case, const Domain& domain, 
       the_case.coupling.travel * std::min({domain.spacing.x, domain.spacing.y, domain.spacing.z});
   constexpr Real fewest = 100;  // samples of series.csv end a step
   plan.steps = std::max(the_case.run.end_time * fastest / way, fewest);
-  plan.memory = bytes_per_particle * (plan.at_start + plan.entering);
+  const bool films = config::find_output(the_case, config::OutputKind::movie) != nullptr;
+  plan.memory = bytes_per_particle * (plan.at_start + plan.entering) +
+                bytes_per_cell * static_cast<Real>(product(domain.cells)) +
+                (films ? movie_bytes : 0);
   plan.seconds = plan.steps * cycles_per_step * seconds_per_cycle;
   return plan;
 }
