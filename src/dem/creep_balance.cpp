@@ -194,7 +194,10 @@ int CreepBalance::solve(Particles& p, Real dt, Exchange& exchange, const par::Co
   }
   comm.sum(work);
   const Real enough = accuracy * accuracy * work[0] + negligible * negligible * work[1];
-  if (work[0] == 0) {
+  if (work[0] == 0) {  // nothing pushes
+    for (const Body& b : bodies_) {
+      set_velocity(p, b.particle, Six{});
+    }
     return 0;
   }
   const auto show = [&](Six Body::*x) {
