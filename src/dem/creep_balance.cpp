@@ -180,12 +180,30 @@ void CreepBalance::drift_alone(Particles& p) const {
   }
 }
 
-int CreepBalance::solve(Particles& p, Real dt, Exchange& exchange, const par::Communicator& comm) {
-  constexpr int most = 60;
+/// Velocities of particles and ghosts from x, and answer = A x.
+void CreepBalance::show(Particles& p, Real dt, Six Body::*x, Exchange& exchange) {
+  for (const Body& b : bodies_) {
+    set_velocity(p, b.particle, b.*x);
+  }
+  exchange.refresh(p, false);
+  apply(p, dt, x);
+}
+
+/// Preconditioned residual into `answer`.
+/// @return the work left in it, of this rank
+Real CreepBalance::precondition() {
+  Real left = 0;
+  for (Body& b : bodies_) {
+    b.answer = solved(b.lower, b.residual);
+    left += dot(b.residual, b.answer);
+  }
+  return left;
+}
+
+/// The residual below which a solve has done enough. Zero where nothing pushes anywhere. Collective.
+Real CreepBalance::enough(const Particles& p, const par::Communicator& comm) const {
   constexpr Real accuracy = 1e-6;    // of the work of all that pushes at the moment
   constexpr Real negligible = 1e-7;  // of what the liquid would do if nothing touched
-  drift_alone(p);
-  begin(p, dt);
   std::array<Real, 2> work{};
   for (const Body& b : bodies_) {
     const Vec3& way = p.creeping.way[b.particle];
@@ -193,51 +211,43 @@ int CreepBalance::solve(Particles& p, Real dt, Exchange& exchange, const par::Co
     work[1] += p.creeping.resistance[b.particle] * dot(way, way);
   }
   comm.sum(work);
-  const Real enough = accuracy * accuracy * work[0] + negligible * negligible * work[1];
-  if (work[0] == 0) {  // nothing pushes
-    for (const Body& b : bodies_) {
-      set_velocity(p, b.particle, Six{});
-    }
-    return 0;
-  }
-  const auto show = [&](Six Body::*x) {
-    for (const Body& b : bodies_) {
-      set_velocity(p, b.particle, b.*x);
-    }
-    exchange.refresh(p, false);
-    apply(p, dt, x);
-  };
-  show(&Body::motion);
-  for (Body& b : bodies_) {
-    add_to(b.residual, -1, b.answer);
-  }
-  Real before = 0;
+  return work[0] == 0 ? 0 : accuracy * accuracy * work[0] + negligible * negligible * work[1];
+}
+
+int CreepBalance::solve(Particles& p, Real dt, Exchange& exchange, const par::Communicator& comm) {
+  constexpr int most = 60;
+  drift_alone(p);
+  begin(p, dt);
+  const Real bound = enough(p, comm);
   int n = 0;
-  for (; n < most; ++n) {
-    Real left = 0;
+  if (bound == 0) {  // nothing pushes: what touches rests
     for (Body& b : bodies_) {
-      b.answer = solved(b.lower, b.residual);
-      left += dot(b.residual, b.answer);
+      b.motion = {};
     }
-    left = comm.sum(left);
-    if (left <= enough) {
-      break;
-    }
+  } else {
+    show(p, dt, &Body::motion, exchange);
     for (Body& b : bodies_) {
-      Six direction = b.answer;
-      add_to(direction, n > 0 ? left / before : 0, b.direction);
-      b.direction = direction;
+      add_to(b.residual, -1, b.answer);
     }
-    before = left;
-    show(&Body::direction);
-    Real curvature = 0;
-    for (const Body& b : bodies_) {
-      curvature += dot(b.direction, b.answer);
-    }
-    const Real length = before / comm.sum(curvature);
-    for (Body& b : bodies_) {
-      add_to(b.motion, length, b.direction);
-      add_to(b.residual, -length, b.answer);
+    Real left = comm.sum(precondition());
+    for (Real before = 0; n < most && left > bound; ++n) {
+      for (Body& b : bodies_) {
+        Six direction = b.answer;
+        add_to(direction, n > 0 ? left / before : 0, b.direction);
+        b.direction = direction;
+      }
+      before = left;
+      show(p, dt, &Body::direction, exchange);
+      Real curvature = 0;
+      for (const Body& b : bodies_) {
+        curvature += dot(b.direction, b.answer);
+      }
+      const Real length = before / comm.sum(curvature);
+      for (Body& b : bodies_) {
+        add_to(b.motion, length, b.direction);
+        add_to(b.residual, -length, b.answer);
+      }
+      left = comm.sum(precondition());
     }
   }
   for (const Body& b : bodies_) {

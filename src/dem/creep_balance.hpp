@@ -67,6 +67,9 @@ class CreepBalance {
   Body* body_of(const Particles& particles, std::size_t i);
   void begin(const Particles& particles, Real dt);
   void apply(Particles& particles, Real dt, Six Body::*x);
+  void show(Particles& particles, Real dt, Six Body::*x, Exchange& exchange);
+  [[nodiscard]] Real precondition();
+  [[nodiscard]] Real enough(const Particles& particles, const par::Communicator& comm) const;
   void drift_alone(Particles& particles) const;
 
   std::vector<std::int32_t> place_;  ///< of a particle's body; -1: it touches nothing

@@ -154,7 +154,7 @@ void descend_from_nearest(const DistanceField& field, const Vec3& c, Real within
   }
   Foot foot = find_foot(field.spline, c, nearest.at);
   if (!foot.found) {  // the descent did not settle: near the foot at least
-    const Real distance = std::sqrt(nearest.square);
+    const Real distance = std::max(std::sqrt(nearest.square), 1e-6);
     const Real side = field.spline.jet(c).f < 0 ? -1 : 1;
     foot = {nearest.at, (side / distance) * (c - nearest.at), side * distance, 1, true};
   }
