@@ -225,7 +225,9 @@ Picture draw_chart(const std::vector<Curve>& curves, const ChartStyle& style) {
   settle(x, x.low >= 0 && x.low < 0.2 * x.high);
   settle(y, style.from_zero);
   cv::Mat canvas(high, wide, CV_8UC3, cv::Scalar(255, 255, 255));
-  draw_text(canvas, style.title, plot.x, 42, {.height = layout::title_text, .bold = true});
+  const TextStyle title{.height = layout::title_text, .bold = true};
+  draw_text(canvas, style.title, plot.x, 42,
+            fitted(title, style.title, canvas.cols - plot.x - layout::margin));
   draw_axes(canvas, x, y, style);
   for (std::size_t k = 0; k < curves.size(); ++k) {
     draw_band(canvas, curves[k], x, y, inks[k % inks.size()]);

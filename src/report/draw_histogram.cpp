@@ -91,7 +91,9 @@ void draw_marks(cv::Mat& canvas, const Axes& axes, const std::vector<Mark>& mark
 
 Picture draw_histogram(const geom::SizeDistribution& sizes, const HistogramStyle& style) {
   cv::Mat canvas(high, wide, CV_8UC3, cv::Scalar(255, 255, 255));
-  draw_text(canvas, style.title, plot.x, 42, {.height = layout::title_text, .bold = true});
+  const TextStyle title{.height = layout::title_text, .bold = true};
+  draw_text(canvas, style.title, plot.x, 42,
+            fitted(title, style.title, canvas.cols - plot.x - layout::margin));
   if (sizes.empty()) {
     draw_text(canvas, "none found", plot.x + plot.width / 2, plot.y + plot.height / 2,
               {.height = layout::text, .anchor = Anchor::centre});

@@ -129,6 +129,11 @@ int text_width(const std::string& text, const TextStyle& style) {
   return width / oversampling;
 }
 
+TextStyle fitted(TextStyle style, const std::string& text, int width) {
+  style.height *= std::min(1.0, static_cast<Real>(width) / std::max(text_width(text, style), 1));
+  return style;
+}
+
 void draw_text(cv::Mat& canvas, const std::string& text, int x, int y, const TextStyle& style) {
   const int width = text_width(text, style);
   const int above = static_cast<int>(std::ceil(1.6 * style.height));

@@ -29,4 +29,7 @@ void draw_text(cv::Mat& canvas, const std::string& text, int x, int y, const Tex
 /// [pixels] along the baseline.
 [[nodiscard]] int text_width(const std::string& text, const TextStyle& style);
 
+/// The style with smaller letters, if need be, for `text` to be no longer than `width` [pixels].
+[[nodiscard]] TextStyle fitted(TextStyle style, const std::string& text, int width);
+
 }  // namespace porefines::report
