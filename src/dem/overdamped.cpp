@@ -123,9 +123,7 @@ Real System::creep_limit(Real longest, Real allowed) {
   return comm_.min(step);
 }
 
-/// Contact forces where the particles are, their springs stretched over the substep that led there. The largest
-/// overlap is that at the end of steps, where the liquid meets it: an edge of a photographed grain that comes
-/// into sight too late is left again at once.
+/// Contact forces where the particles are, their springs stretched over the substep that led there.
 void System::creep_forces(Real stretched) {
   particles_.clear_forces();
   contact_forces({stretched, true});
@@ -144,6 +142,8 @@ CreepReport System::creep(Real dt, const CreepBounds& bounds) {
   extrapolate(particles_, dt);
   walls_.forget_sights();
   CreepReport report{0, dt, 0};
+  // The largest overlap is that at the end of steps, where the liquid meets it: an edge of a photographed
+  // grain that comes into sight too late is left again at once.
   const Real deepest_pair = pairs_.largest_overlap();
   const Real deepest_wall = walls_.largest_overlap();
   creep_forces(0);

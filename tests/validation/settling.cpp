@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MPL-2.0
-// ten Cate's settling sphere: an hour on one core.
+// ten Cate's settling sphere: a quarter of an hour on one core.
 #include <fstream>
 
 #include "support/shared_data.hpp"
