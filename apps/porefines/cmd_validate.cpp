@@ -25,6 +25,8 @@ void add_validate(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<validate::ValidateOptions>();
   command->add_flag("--quick", options->quick, "leave out what takes longer, on coarser grids");
   command->add_option("--only", options->only, "names of comparisons");
+  command->add_option("--data", options->data,
+                      "folder with videos/bulk_water and videos/image_sequence: tracked as well");
   command->add_option("-o,--output", options->output_dir, "output folder (validate)");
   command->add_option("-j,--jobs", options->at_once, "runs side by side; default: physical cores");
   auto asked = std::make_shared<validate::Measurement>();  // a job of its own, for itself alone

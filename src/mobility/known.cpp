@@ -19,6 +19,10 @@ using std::numbers::pi;
 /// Places against the grid, in the plane of a wall.
 constexpr std::array<Vec3, 2> on_wall{Vec3{0.13, 0.31, 0}, Vec3{0.62, 0.85, 0}};
 
+/// Directions against the grid, of any length.
+constexpr std::array<Vec3, 5> ways{
+    Vec3{1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {0.9, 0.4, 0.17}, {0.3, 0.8, 0.52}};
+
 /// Solved afresh, without what the cells held before.
 std::vector<flow::SphereMotion> solve(flow::StokesSolver& solver, const flow::Drive& drive,
                                       const std::vector<flow::Sphere>& spheres,
@@ -107,7 +111,6 @@ Approach approach(int size, Real distance, Real exact) {
   const Real a = size / 2.0;
   flow::StokesSolver solver = open_box({n, n, n}, {});
   Approach out;
-  const std::vector<Vec3> ways{{1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {0.9, 0.4, 0.17}, {0.3, 0.8, 0.52}};
   for (const Vec3& given : ways) {
     const Vec3 way = given / norm(given);
     const Vec3 middle{n / 2.0 + 0.13, n / 2.0 + 0.37, n / 2.0 - 0.21};
@@ -122,6 +125,28 @@ Approach approach(int size, Real distance, Real exact) {
     out.worst = std::max(out.worst, std::abs(found - 1));
   }
   return out;
+}
+
+Real together(int size, Real distance) {
+  constexpr Real images = 2.837297;  // Hasimoto (1959), simple cubic
+  const int n = 16 * size;
+  const Real a = size / 2.0;
+  const Real volume = static_cast<Real>(n) * n * n;
+  flow::StokesSolver solver = open_box({n, n, n}, {});
+  Real speed = 0;
+  for (const Vec3& given : ways) {
+    const Vec3 way = given / norm(given);
+    const Vec3 middle{n / 2.0 + 0.13, n / 2.0 + 0.37, n / 2.0 - 0.21};
+    flow::Sphere one = sphere(1, middle - (distance * a / 2) * way, a);
+    flow::Sphere two = sphere(2, middle + (distance * a / 2) * way, a);
+    one.force = two.force = way;
+    flow::Drive back;  // what holds the box against both
+    back.force = (-2 / volume) * way;
+    const auto m = solve(solver, back, {one, two}, {}, 1e-5);
+    const Vec3 mean = (m[0].velocity + m[1].velocity) / 2 - solver.superficial_velocity();
+    speed += 6 * pi * a * dot(mean, way) / static_cast<Real>(ways.size());
+  }
+  return 1 / (speed + 2 * images * a / n);
 }
 
 Real turn_factor(int size) {
@@ -148,6 +173,27 @@ Real shear_spin(int size) {
   shear.lid[5] = {rate * nz, 0, 0};
   const flow::Sphere q = sphere(1, {nx / 2.0 + 0.13, nx / 2.0 + 0.31, nz / 2.0 + 0.22}, size / 2.0);
   return solve(solver, shear, {q}).front().spin.y / (rate / 2);
+}
+
+Real intrinsic_viscosity(int size) {
+  constexpr Real rate = 1e-2;
+  const int n = 8 * size;
+  const Real a = size / 2.0;
+  flow::Boundaries walls = slit_along_z();
+  walls.kind[5] = flow::FaceKind::lid;
+  flow::StokesSolver solver = open_box({n, n, n}, walls);
+  flow::Drive shear;
+  shear.lid[5] = {rate * n, 0, 0};
+  const flow::Sphere q = sphere(1, {n / 2.0 + 0.13, n / 2.0 + 0.31, n / 2.0 + 0.22}, a);
+  solve(solver, shear, {q}, {}, 1e-7);
+  const std::vector<float> along = solver.cell_fields().velocity[0];
+  const std::size_t layer = static_cast<std::size_t>(n) * n;
+  Real stress = 0;  // of the lid: half a cell above the last layer
+  for (std::size_t i = along.size() - layer; i < along.size(); ++i) {
+    stress += 2 * (rate * n - static_cast<Real>(along[i])) / static_cast<Real>(layer);
+  }
+  const Real share = 4 * pi / 3 * std::pow(a / n, 3);
+  return (stress / rate - 1) / share;
 }
 
 }  // namespace porefines::mobility

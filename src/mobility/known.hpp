@@ -42,6 +42,12 @@ struct Approach {
 };
 [[nodiscard]] Approach approach(int size, Real distance, Real exact);
 
+/// F/(6 pi mu a U) of two equal spheres that go after each other along their line of centres under one force each, their
+/// centres `distance` radii apart (B5): the mean of five directions against the grid. They lie in a periodic box 16 diameters
+/// wide, in the frame of its mean flow; their images slow each by 2 * 2.837297 a/L of F/(6 pi mu a) (Hasimoto 1959), which is
+/// given back. What is left is of order (r/L)^2 a/L: below 0.1 %. Test: verification/lubrication.
+[[nodiscard]] Real together(int size, Real distance);
+
 /// 8 pi mu a^3 omega/T of a sphere in a box whose walls are 4 radii away (B6): the mean of three places;
 /// 1/1.013 in the limit of fine grids, which 24 cells a diameter have within 0.1 %.
 /// Test: verification/free_spheres.
@@ -50,5 +56,9 @@ struct Approach {
 /// omega/(G/2) of a free sphere in a shear flow of rate G, walls 4 diameters away (B6).
 /// Test: verification/free_spheres.
 [[nodiscard]] Real shear_spin(int size);
+
+/// (eta/mu - 1)/phi of one free sphere in a shear flow (B6; Einstein 1906: 2.5), eta from the stress on the lid
+/// 4 diameters above it, images 8 diameters away. Test: verification/free_spheres.
+[[nodiscard]] Real intrinsic_viscosity(int size);
 
 }  // namespace porefines::mobility

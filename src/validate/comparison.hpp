@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MPL-2.0
 #pragma once
 
+#include <functional>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -19,6 +21,7 @@ struct Job {
       {};                                  ///< commands after the run; "copy" FROM TO copies a file
   std::vector<std::string> generate = {};  ///< words after `porefines`, run before
   std::vector<std::string> instead = {};   ///< the same, in place of a run of the case
+  std::vector<std::string> set = {};       ///< words key=value of the run
 };
 
 /// A number of a flat JSON file of a job: offset + factor times it.
@@ -45,7 +48,12 @@ struct Extrapolated {
   std::vector<Real> cells = {};  ///< [m] of the jobs at `job` and after it
 };
 
-using Source = std::variant<FromSummary, FromTracks, Extrapolated>;
+/// Whatever else a number is read from: of the folders of the jobs at `job` and after it.
+struct Computed {
+  std::function<Real(std::span<const std::string> folders)> read;
+};
+
+using Source = std::variant<FromSummary, FromTracks, Extrapolated, Computed>;
 
 /// One line of a table: a number of a run beside the one that it should be.
 struct Row {
@@ -54,13 +62,14 @@ struct Row {
   std::size_t job = 0;
   Source source = FromSummary{};
   Real reference = 0;
-  Real tolerance = 0;                 ///< relative
+  Real tolerance = 0;                 ///< relative; where the reference is 0, absolute
   std::vector<Real> literature = {};  ///< further columns, see Comparison; NaN: none
 };
 
 /// A table of the validation page.
 struct Comparison {
-  std::string name = {};  ///< for --only and for its folder
+  std::string name = {};    ///< for --only and for its folder
+  std::string folder = {};  ///< of the comparison whose jobs these are as well; empty: its own
   std::string title = {};
   std::string quantity = {};   ///< what the numbers are, with unit
   std::string along = {};      ///< what x is; empty: no figure
@@ -75,15 +84,21 @@ struct Comparison {
 
 /// All comparisons, those that take longest last.
 /// @param quick  without what takes more than a minute on a core
-[[nodiscard]] std::vector<Comparison> all_comparisons(bool quick);
+/// @param data   folder with the pictures of others, see add_videos
+[[nodiscard]] std::vector<Comparison> all_comparisons(bool quick, const std::string& data);
 
 // One function per file list_*.cpp.
-void add_permeability(std::vector<Comparison>& list);          ///< references.md A1, A2, A3, A5
-void add_contact(std::vector<Comparison>& list);               ///< references.md C
-void add_spheres(std::vector<Comparison>& list);               ///< references.md B3
+void add_permeability(std::vector<Comparison>& list);  ///< references.md A1, A2, A3, A5
+void add_contact(std::vector<Comparison>& list);       ///< references.md C
+void add_impacts(std::vector<Comparison>& list);       ///< references.md C, Chung & Ooi 2011
+void add_spheres(std::vector<Comparison>& list);       ///< references.md B3
 void add_mobility(std::vector<Comparison>& list, bool quick);  ///< references.md B1, B2, B4 to B6
+void add_inertia(std::vector<Comparison>& list, bool quick);   ///< references.md B7 to B10
+void add_clogging(std::vector<Comparison>& list, bool quick);  ///< references.md E
 void add_cylinder(std::vector<Comparison>& list, bool quick);  ///< thesis table 1, references.md A4
 void add_microscope(std::vector<Comparison>& list);            ///< thesis figs. 17 to 19
-void add_chip(std::vector<Comparison>& list);                  ///< thesis table 2
+/// references.md F, from the pictures of a folder like ../shared/data; nothing where it is empty.
+void add_videos(std::vector<Comparison>& list, const std::string& data);
+void add_chip(std::vector<Comparison>& list);  ///< thesis table 2
 
 }  // namespace porefines::validate

@@ -43,6 +43,7 @@ void run_job(Launch& launch, const std::string& commit) {
     write_file(launch.folder + "/" + name, content);
   }
   std::vector<std::vector<std::string>> commands{{"run", "case.toml", "-o", "out"}};
+  commands[0].insert(commands[0].end(), launch.job->set.begin(), launch.job->set.end());
   if (!launch.job->instead.empty()) {
     commands = {launch.job->instead};
   }

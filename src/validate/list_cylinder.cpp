@@ -42,6 +42,30 @@ every = "0.04 ms"
           .files = {{"cylinder.txt", "2.3 2.5 0.1\n"}}};
 }
 
+/// What the same runs show besides drag: a table of its own, since Table 1 has drag alone.
+Comparison wake(const std::vector<Job>& jobs) {
+  Comparison c{.name = "wake",
+               .folder = "cylinder",
+               .title = "Wake and vortices behind a cylinder",
+               .quantity = "length of the wake over the diameter; Strouhal number",
+               .reference =
+                   "references.md A4: independent solution in the same domain; Strouhal "
+                   "number 0.164 to 0.167 (literature)",
+               .jobs = jobs};
+  const auto add = [&](const char* label, std::size_t job, const char* key, Real known,
+                       Real tolerance) {
+    c.rows.push_back({.label = label,
+                      .job = job,
+                      .source = FromSummary{key},
+                      .reference = known,
+                      .tolerance = tolerance});
+  };
+  add("wake, Re 10", 0, "wake_length_over_diameter", 0.261, 0.05);
+  add("wake, Re 40", 2, "wake_length_over_diameter", 2.275, 0.02);
+  add("Strouhal number, Re 100", 3, "body_1_strouhal", 0.1655, 0.015);
+  return c;
+}
+
 }  // namespace
 
 void add_cylinder(std::vector<Comparison>& list, bool quick) {
@@ -77,9 +101,13 @@ void add_cylinder(std::vector<Comparison>& list, bool quick) {
          .reference = k.drag,
          .tolerance = k.tolerance,
          .literature = k.literature});
-    c.jobs.push_back(stream_job(k.re, quick || !steady ? 8 : 12, steady));
+    c.jobs.push_back(stream_job(k.re, quick || !steady ? 8 : 16, steady));
   }
+  const std::vector<Job> jobs = c.jobs;
   list.push_back(std::move(c));
+  if (!quick) {
+    list.push_back(wake(jobs));
+  }
 }
 
 }  // namespace porefines::validate

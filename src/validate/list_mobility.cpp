@@ -100,6 +100,34 @@ Comparison pair() {
   return c;
 }
 
+Comparison together() {
+  Comparison c{.name = "together",
+               .title = "Two spheres that go after each other",
+               .quantity = "drag factor F/(6πμaU)",
+               .along = "distance of the centres over radius",
+               .reference =
+                   "references.md B5, Stimson & Jeffery 1926; 6 cells a diameter, mean of five "
+                   "directions; periodic images given back (Hasimoto 1959)"};
+  add_rows(c, "together", "r/a", 6, {{4, 0.742258}, {2.5, 0.672916}, {2.05, 0.648034}}, 0.01);
+  return c;
+}
+
+Comparison viscosity(bool quick) {
+  Comparison c{.name = "viscosity",
+               .title = "What one sphere adds to the viscosity",
+               .quantity = "(η/μ − 1)/φ",
+               .along = "cells a diameter",
+               .reference =
+                   "references.md B6, Einstein 1906; stress on the lid of a shear flow, "
+                   "4 diameters away"};
+  add_rows(c, "intrinsic", "cells a diameter", 6, {{6, 2.5}}, 0.01);
+  add_rows(c, "intrinsic", "cells a diameter", 8, {{8, 2.5}}, 0.01);
+  if (!quick) {
+    add_rows(c, "intrinsic", "cells a diameter", 12, {{12, 2.5}}, 0.01);
+  }
+  return c;
+}
+
 Comparison turning() {
   constexpr Real in_box = 1 / 1.013;  // of unbounded: what walls 4 radii away leave
   Comparison c{.name = "turning",
@@ -120,6 +148,8 @@ void add_mobility(std::vector<Comparison>& list, bool quick) {
   list.push_back(along_wall());
   list.push_back(tube(quick));
   list.push_back(pair());
+  list.push_back(together());
+  list.push_back(viscosity(quick));
   list.push_back(turning());
 }
 

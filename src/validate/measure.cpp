@@ -42,6 +42,8 @@ const std::map<std::string, Write>& known() {
       {"along_wall", write_along_wall},
       {"tube", one([](const auto& m) { return mobility::tube_speed(m.size, m.at); })},
       {"approach", write_approach},
+      {"together", one([](const auto& m) { return mobility::together(m.size, m.at); })},
+      {"intrinsic", one([](const auto& m) { return mobility::intrinsic_viscosity(m.size); })},
       {"turn", one([](const auto& m) { return mobility::turn_factor(m.size); })},
       {"shear", one([](const auto& m) { return mobility::shear_spin(m.size); })}};
   return all;

@@ -9,7 +9,7 @@ namespace porefines::validate {
 
 /// What mobility/known.hpp is asked for.
 struct Measurement {
-  std::string what;  ///< wall, along_wall, tube, approach, turn, shear
+  std::string what;  ///< wall, along_wall, tube, approach, together, turn, shear, intrinsic
   int size = 6;      ///< [cells] of a diameter
   Real at = 0;       ///< height, ratio or distance [radii]
   Real exact = 1;    ///< of `approach`, whose mean is over it

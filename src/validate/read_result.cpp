@@ -48,6 +48,10 @@ Reading read(const Extrapolated& source, const Row& row, const std::vector<std::
   return {value(finest) + change, std::abs(change)};
 }
 
+Reading read(const Computed& source, const Row& row, const std::vector<std::string>& folders) {
+  return {.value = source.read(std::span(folders).subspan(row.job))};
+}
+
 }  // namespace
 
 Real number_in(const std::string& path, const std::string& key) {
@@ -60,7 +64,8 @@ Reading read_row(const Row& row, const std::vector<std::string>& folders) {
 }
 
 bool agrees(const Row& row, const Reading& reading) {
-  return std::abs(reading.value - row.reference) <= row.tolerance * std::abs(row.reference);
+  const Real scale = row.reference == 0 ? 1 : std::abs(row.reference);
+  return std::abs(reading.value - row.reference) <= row.tolerance * scale;
 }
 
 }  // namespace porefines::validate

@@ -22,7 +22,7 @@ namespace porefines::validate {
 namespace {
 
 std::vector<Comparison> chosen(const ValidateOptions& options) {
-  std::vector<Comparison> all = all_comparisons(options.quick);
+  std::vector<Comparison> all = all_comparisons(options.quick, options.data);
   std::vector<std::string> names;
   for (const Comparison& comparison : all) {
     names.push_back(comparison.name);
@@ -30,9 +30,11 @@ std::vector<Comparison> chosen(const ValidateOptions& options) {
   for (const std::string& wanted : options.only) {
     if (std::find(names.begin(), names.end(), wanted) == names.end()) {
       const std::string guess = closest(wanted, names);
-      throw InputError(fmt::format("--only {}: there is no such comparison{}\nthere are {}", wanted,
-                                   guess.empty() ? "" : "; did you mean " + guess + "?",
-                                   fmt::join(names, ", ")));
+      throw InputError(
+          fmt::format("--only {}: there is no such comparison{}\nthere are {}{}{}", wanted,
+                      guess.empty() ? "" : "; did you mean " + guess + "?", fmt::join(names, ", "),
+                      options.quick ? "; more without --quick" : "",
+                      options.data.empty() ? "; with --data also centres, bulk_water" : ""));
     }
   }
   std::erase_if(all, [&](const Comparison& comparison) {
@@ -44,7 +46,8 @@ std::vector<Comparison> chosen(const ValidateOptions& options) {
 
 std::string folder_of(const ValidateOptions& options, const Comparison& comparison,
                       const Job& job) {
-  return options.output_dir + "/" + comparison.name + "/" + job.name;
+  const std::string& of = comparison.folder.empty() ? comparison.name : comparison.folder;
+  return options.output_dir + "/" + of + "/" + job.name;
 }
 
 void tell(const Launch& launch) {
@@ -83,10 +86,12 @@ std::string comparison_json(const ValidateOptions& options, const Comparison& co
     const Reading reading = read_row(row, folders);
     red += agrees(row, reading) ? 0 : 1;
     rows.push_back(row_json(row, reading));
-    std::cout << fmt::format("{:5}  {}, {}: {:.6g}, reference {:.6g}, off by {:.2g} %\n",
-                             agrees(row, reading) ? "green" : "RED", comparison.name, row.label,
-                             reading.value, row.reference,
-                             100 * (reading.value / row.reference - 1));
+    std::cout << fmt::format(
+        "{:5}  {}, {}: {:.6g}, reference {:.6g}{}\n", agrees(row, reading) ? "green" : "RED",
+        comparison.name, row.label, reading.value, row.reference,
+        row.reference == 0
+            ? ""
+            : fmt::format(", off by {:.2g} %", 100 * (reading.value / row.reference - 1)));
   }
   std::vector<std::string> pictures;
   for (const auto& [file, caption] : comparison.pictures) {
@@ -118,7 +123,11 @@ int run_validation(const ValidateOptions& options) {
   std::vector<Launch> launches;
   for (const Comparison& comparison : list) {
     for (const Job& job : comparison.jobs) {
-      launches.push_back({&job, folder_of(options, comparison, job)});
+      const std::string folder = folder_of(options, comparison, job);
+      if (std::none_of(launches.begin(), launches.end(),
+                       [&](const Launch& one) { return one.folder == folder; })) {
+        launches.push_back({&job, folder});
+      }
     }
   }
   const auto cores = static_cast<unsigned>(find_cores().physical);

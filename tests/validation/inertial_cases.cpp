@@ -1,49 +1,25 @@
 // SPDX-License-Identifier: MPL-2.0
 // Cases of cases/ with spheres that have mass, as a user runs them: half an hour in all on one core.
-#include <algorithm>
-#include <filesystem>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "cli/run_support.hpp"
+#include "validate/read_track.hpp"
 
 namespace porefines::test {
 namespace {
 
 /// Runs a case of cases/ into `out` of a folder.
-Csv tracks_of(const Scratch& folder, const std::string& name, const std::vector<std::string>& more,
-              int ranks = 1) {
+/// @return that folder
+std::string run_of(const Scratch& folder, const std::string& name,
+                   const std::vector<std::string>& more, int ranks = 1) {
   std::vector<std::string> words{
       PF_BINARY, "run", std::string(PF_SOURCE_DIR) + "/cases/" + name + "/case.toml", "-o", "out"};
   words.insert(words.end(), more.begin(), more.end());
   const ProgramResult result = run_on(ranks, folder, words);
   EXPECT_EQ(result.exit_code, 0) << result.output;
-  return read_csv(folder / "out/tracks.csv");
-}
-
-/// First times at which the rear sphere has come nearer, touches, and lies beside or below the other one; 0:
-/// never.
-struct Phases {
-  double drafting = 0, kissing = 0, tumbling = 0;
-};
-
-Phases phases_of(const Csv& tracks, double diameter) {
-  Phases found;
-  double first = 0;
-  for (std::size_t i = 0; i + 1 < tracks.rows.size(); i += 2) {
-    const double dx = tracks.at(i + 1, "x_m") - tracks.at(i, "x_m");
-    const double dy = tracks.at(i + 1, "y_m") - tracks.at(i, "y_m");
-    const double dz = tracks.at(i + 1, "z_m") - tracks.at(i, "z_m");
-    const double distance = std::hypot(dx, dy, dz) / diameter;
-    const double time = tracks.at(i, "time_s");
-    first = i == 0 ? distance : first;
-    const auto note = [&](double& when, bool now) { when = when == 0 && now ? time : when; };
-    note(found.drafting,
-         distance < 0.9 * first && tracks.at(i + 1, "w_m_s") < tracks.at(i, "w_m_s"));
-    note(found.kissing, distance < 1.01);
-    note(found.tumbling, dz < 0 && found.kissing > 0);
-  }
-  return found;
+  return folder / "out";
 }
 
 }  // namespace
@@ -52,7 +28,9 @@ Phases phases_of(const Csv& tracks, double diameter) {
 TEST(InertialCases, drafting_kissing_tumbling_on_one_and_two_ranks) {
   for (const int ranks : {1, 2}) {
     const Scratch folder;
-    const Phases found = phases_of(tracks_of(folder, "tumbling", {}, ranks), 1.0 / 600);
+    const std::string out = run_of(folder, "tumbling", {}, ranks);
+    const validate::Phases found =
+        validate::phases(validate::read_track(out, 0), validate::read_track(out, 1), 1.0 / 600);
     std::printf("%d ranks: drafting %.3f, kissing %.3f, tumbling %.3f s\n", ranks, found.drafting,
                 found.kissing, found.tumbling);
     EXPECT_GT(found.drafting, 0);
@@ -66,9 +44,9 @@ TEST(InertialCases, neutral_sphere_in_a_tube_goes_to_three_fifths_of_its_radius)
   const auto end = [](const std::string& start) {
     const Scratch folder;
     const std::string list = std::string(PF_SOURCE_DIR) + "/cases/tube_migration/" + start + ".csv";
-    const Csv tracks = tracks_of(folder, "tube_migration", {"particles.0.source=" + list});
-    const std::size_t last = tracks.rows.size() - 1;
-    return std::hypot(tracks.at(last, "x_m") - 1.6e-3, tracks.at(last, "y_m") - 1.6e-3) / 1.5e-3;
+    const std::string out = run_of(folder, "tube_migration", {"particles.0.source=" + list});
+    const Vec3 last = validate::read_track(out, 0).position.back();
+    return std::hypot(last.x - 1.6e-3, last.y - 1.6e-3) / 1.5e-3;
   };
   const double inside = end("inside");
   const double outside = end("outside");
@@ -81,26 +59,11 @@ TEST(InertialCases, neutral_sphere_in_a_tube_goes_to_three_fifths_of_its_radius)
 
 namespace {
 
-/// Speed a tenth of a diameter from the wall, where cameras see it (Joseph et al. 2001): going up over the one
-/// coming down.
+/// A tenth of a diameter from the wall, where cameras see it (Joseph et al. 2001).
 double restitution(const std::vector<std::string>& more) {
   const Scratch folder;
-  const Csv tracks = tracks_of(folder, "wet_impact", more);
-  constexpr double height = 2e-3 + 0.4e-3;  // of the centre
-  double down = 0;
-  double up = 0;
-  for (std::size_t i = 0; i + 1 < tracks.rows.size(); ++i) {
-    const double z = tracks.at(i, "z_m") - height;
-    const double next = tracks.at(i + 1, "z_m") - height;
-    if (z * next > 0) {
-      continue;
-    }
-    const double w = (z * tracks.at(i + 1, "w_m_s") - next * tracks.at(i, "w_m_s")) / (z - next);
-    double& first = w < 0 ? down : up;
-    first = first == 0 ? std::abs(w) : first;
-  }
-  EXPECT_GT(down, 0.1);
-  return up / down;
+  return validate::rebound(validate::read_track(run_of(folder, "wet_impact", more), 0),
+                           2e-3 + 0.4e-3);
 }
 
 }  // namespace

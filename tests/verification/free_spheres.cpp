@@ -98,6 +98,9 @@ TEST(FreeSpheres, turns_under_a_torque_and_with_a_shear_flow) {
     EXPECT_NEAR(mobility::turn_factor(size) * 1.013, 1, 0.01) << size << " cells per diameter";
   }
   EXPECT_NEAR(mobility::shear_spin(6), 1, 0.01);
+  for (const int size : {6, 8}) {
+    EXPECT_NEAR(mobility::intrinsic_viscosity(size), 2.5, 0.025) << size << " cells per diameter";
+  }
 }
 
 /// Section 4: the answer depends neither on the guess nor on what the cells held before.

@@ -58,6 +58,16 @@ TEST(Lubrication, two_spheres_on_their_line_of_centres) {
   }
 }
 
+TEST(Lubrication, two_spheres_that_go_together) {
+  for (const auto& [distance, exact] :
+       {std::pair{4.0, 0.742258}, {2.5, 0.672916}, {2.05, 0.648034}}) {
+    const Real found = together(6, distance);
+    std::printf("[ measured ] r/a = %.2f: %.4f, %+.2f %%\n", distance, found,
+                100 * (found / exact - 1));
+    EXPECT_NEAR(found / exact, 1, 0.01) << "r/a = " << distance;
+  }
+}
+
 TEST(Lubrication, free_sphere_on_the_axis_of_a_tube) {
   for (const auto& [ratio, exact] : {std::pair{0.3, 0.94049}, {0.5, 0.83996}}) {
     EXPECT_NEAR(tube_speed(8, ratio) / exact, 1, 0.02) << "a/R = " << ratio;

@@ -15,8 +15,8 @@ function table(comparison) {
     h("th", { scope: "row" }, r.label),
     h("td", {}, number(r.value, 5) + (r.error > 0 ? ` ± ${number(r.error, 1)}` : "")),
     h("td", {}, number(r.reference, 6)),
-    h("td", {}, percent(r.value === null ? NaN : r.value / r.reference - 1, 2)),
-    h("td", {}, `± ${percent(r.tolerance, 2)}`),
+    h("td", {}, r.reference === 0 ? "–" : percent(r.value === null ? NaN : r.value / r.reference - 1, 2)),
+    h("td", {}, r.tolerance === 0 ? "exactly" : `± ${r.reference === 0 ? number(r.tolerance, 2) : percent(r.tolerance, 2)}`),
     h("td", {}, verdict(r.agrees)),
     ...r.literature.map((value) => h("td", {}, number(value, 4))));
   return h("div", { class: "scroll tall" }, h("table", { class: "log comparison" },
