@@ -60,7 +60,7 @@ constexpr std::array prefixes{Prefix{'f', 1e-15}, Prefix{'p', 1e-12}, Prefix{'n'
                               Prefix{'d', 1e-1},  Prefix{'h', 1e2},   Prefix{'k', 1e3},
                               Prefix{'M', 1e6},   Prefix{'G', 1e9},   Prefix{'T', 1e12}};
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 16> long_names{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 18> long_names{{
     {"meter", "m"},
     {"metre", "m"},
     {"sec", "s"},
@@ -77,6 +77,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 16> long_nam
     {"litre", "L"},
     {"microns", "micron"},
     {"darcies", "darcy"},
+    {"celsius", "degC"},
+    {"kelvin", "K"},
 }};
 
 std::string lower(std::string_view text) {

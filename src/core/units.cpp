@@ -16,6 +16,7 @@ namespace {
 
 constexpr int largest_exponent = 20;  ///< more is a typing error, and would overflow
 constexpr int deepest_bracket = 8;
+constexpr Real ice_point = 273.15;  ///< [K]
 
 /// Typographic signs as the ASCII that the parser knows.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 14> signs{{
@@ -60,6 +61,13 @@ bool is_letter(char c) {
 }
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
+}
+
+/// The one unit with a zero of its own; within a product ("J/degC") it has no meaning.
+bool is_celsius(std::string_view unit) {
+  const auto start = unit.find_first_not_of(" \t");
+  const auto end = unit.find_last_not_of(" \t");
+  return start != unit.npos && unit.substr(start, end - start + 1) == "degC";
 }
 
 /// a * b^power; exponents stay small enough not to overflow.
@@ -217,6 +225,9 @@ Quantity parse_quantity(std::string_view text) {
   rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
   if (rest.starts_with(',')) {
     throw InputError("the decimal sign is a point, not a comma");
+  }
+  if (is_celsius(rest)) {
+    return {number + ice_point, kind::temperature.dimension};
   }
   Quantity quantity = UnitParser(rest).parse();
   quantity.value *= number;

@@ -53,6 +53,7 @@ inline constexpr QuantityKind kinematic_viscosity{
     "kinematic viscosity", {2, 0, -1}, "m^2/s", "1.004e-6 m^2/s"};
 inline constexpr QuantityKind force{"force", {1, 1, -2}, "N", "1e-12 N"};
 inline constexpr QuantityKind stiffness{"stiffness", {0, 1, -2}, "N/m", "10 N/m"};
+inline constexpr QuantityKind work_per_area{"work per area", {0, 1, -2}, "J/m^2", "50 mJ/m^2"};
 inline constexpr QuantityKind energy{"energy", {2, 1, -2}, "J", "9e-21 J"};
 inline constexpr QuantityKind voltage{"voltage", {2, 1, -3, 0, 0, -1}, "V", "-35 mV"};
 inline constexpr QuantityKind temperature{"temperature", {0, 0, 0, 1}, "K", "298.15 K"};
@@ -63,7 +64,7 @@ inline constexpr QuantityKind concentration{
 /// Reads "number unit" into SI.
 ///
 /// Units multiply by a space, '*' or '·' and divide by '/'; exponents are written m^3, m3 or m³.
-/// Prefixes f p n u (or µ) m c d h k M G T. A product after a division ("kg/m s") is refused as
+/// Prefixes f p n u (or µ) m c d h k M G T. Temperatures also in degC (or °C), alone. A product after a division ("kg/m s") is refused as
 /// ambiguous: kg/(m s) or kg s/m says which. Units are case-sensitive.
 ///
 /// @throws InputError  no number, an unknown unit (with a suggestion), not finite

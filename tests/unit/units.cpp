@@ -78,6 +78,13 @@ constexpr Reading readings[] = {
     {"-35 mV", -0.035, kind::voltage},
     {"7.5e-21 J", 7.5e-21, kind::energy},
     {"298.15 K", 298.15, kind::temperature},
+    {"25 degC", 298.15, kind::temperature},
+    {"25 \u00b0C", 298.15, kind::temperature},
+    {" -10degC ", 263.15, kind::temperature},
+    {"0.1 M", 100, kind::concentration},
+    {"10 mol/m^3", 10, kind::concentration},
+    {"50 mJ/m^2", 0.05, kind::work_per_area},
+    {"50 mN/m", 0.05, kind::work_per_area},
     {"180 degrees", std::numbers::pi, kind::number},
     {"180\u00b0", std::numbers::pi, kind::number},
     {"5 %", 0.05, kind::number},
@@ -124,6 +131,22 @@ TEST(UnitErrors, explain_what_could_not_be_read) {
   ends_with("1 " + std::string(100, '('), ": too many brackets");
 }
 
+TEST(UnitErrors, of_temperatures_concentrations_and_voltages) {
+  EXPECT_EQ(message_of("25 C", kind::temperature),
+            "viscosity wants a temperature such as \"298.15 K\", found \"25 C\" (s A)");
+  EXPECT_EQ(
+      message_of("25 celsius", kind::temperature),
+      "viscosity wants a temperature such as \"298.15 K\", found \"25 celsius\": unknown unit "
+      "\"celsius\", did you mean degC?");
+  EXPECT_TRUE(message_of("1 J/degC", kind::energy).ends_with("unknown unit \"degC\""));
+  EXPECT_EQ(message_of("10 mm", kind::concentration),
+            "viscosity wants a concentration such as \"10 mmol/L\", found \"10 mm\" (a length)");
+  EXPECT_EQ(message_of("40 mW", kind::voltage),
+            "viscosity wants a voltage such as \"-35 mV\", found \"40 mW\" (kg m^2 s^-3)");
+  EXPECT_EQ(message_of("50 mJ", kind::work_per_area),
+            "viscosity wants a work per area such as \"50 mJ/m^2\", found \"50 mJ\" (an energy)");
+}
+
 TEST(UnitErrors, zero_needs_no_unit) {
   EXPECT_EQ(parse_quantity("0", kind::pressure, "p"), 0);
   EXPECT_THROW((void)parse_quantity("0 m", kind::pressure, "p"), InputError);
@@ -132,7 +155,8 @@ TEST(UnitErrors, zero_needs_no_unit) {
 TEST(FormatQuantity, reads_back_the_same_bits) {
   for (const QuantityKind& wanted :
        {kind::length, kind::viscosity, kind::density, kind::flow_rate, kind::concentration,
-        kind::number, kind::voltage, kind::pressure_gradient}) {
+        kind::number, kind::voltage, kind::pressure_gradient, kind::work_per_area,
+        kind::temperature}) {
     for (const Real value : {0.1, 1.0 / 3, 5.345e-6, 998.2, 1e300, -2.0}) {
       const std::string text = format_quantity(value, wanted);
       EXPECT_EQ(parse_quantity(text, wanted, "it"), value) << text;
