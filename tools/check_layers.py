@@ -12,6 +12,7 @@ SEES = {
     "geom": {"core", "par", "grid"},
     "flow": {"core", "par", "grid"},
     "mobility": {"core", "par", "flow"},
+    "surface": {"core"},
     "dem": {"core", "par", "grid", "geom"},
     "io": {"core", "par", "grid"},
     "analysis": {"core", "par", "grid", "geom", "io"},
