@@ -18,6 +18,7 @@ void add_fit(CLI::App& app, int& exit_code);
 void add_scale(CLI::App& app, int& exit_code);
 void add_validate(CLI::App& app, int& exit_code);
 void add_export(CLI::App& app, int& exit_code);
+void add_forces(CLI::App& app, int& exit_code);
 void add_reference(CLI::App& app, int& exit_code);
 void add_track(CLI::App& app, int& exit_code);
 void add_compare(CLI::App& app, int& exit_code);
@@ -32,10 +33,10 @@ inline constexpr const char* about_synthesize =
 /// Every sub-command, in the order of the help text. A new one is a file and a line here.
 inline constexpr void (*commands[])(CLI::App&, int&) = {
 #ifndef PF_VISION
-    add_run,   add_report,  add_inspect,   add_generate, add_study,
-    add_fit,   add_scale,   add_validate,  add_export,   add_reference,
+    add_run,   add_report,   add_inspect,   add_generate, add_study,     add_fit,
+    add_scale, add_validate, add_export,    add_forces,   add_reference,
 #endif
-    add_track, add_compare, add_synthesize};
+    add_track, add_compare,  add_synthesize};
 
 /// In porefines: becomes porefines-vision, with the same arguments, when the first one is a command
 /// of that program. Returns nullptr otherwise, and a message where porefines-vision is missing.

@@ -85,7 +85,9 @@ Key later_key(std::string path, std::string doc) {
 std::vector<Key> later_keys() {
   return {
       later_key("flow.velocity_tolerance", "one tolerance covers the solve: pressure_tolerance"),
-      later_key("colloid", "particles have contact forces and gravity, no surface forces yet"),
+      later_key("colloid",
+                "particles have contact forces and gravity, no surface forces yet; `porefines "
+                "forces` shows the laws"),
       later_key("compare", "compare summary.json with your data by hand"),
   };
 }
