@@ -103,7 +103,7 @@ SolveReport solve_gcr(const par::Communicator& comm, Hierarchy& hierarchy, Opera
   std::deque<Direction> kept;
   int allowed = options.directions;
   bool exact = true;     // r is b - K x to double precision
-  bool stalled = false;  // the last step gained little
+  int stalled = 0;       // steps in a row that gained little
   while (true) {
     report.residual = reference > 0 ? size / reference : 0;
     if (report.residual <= options.tolerance && !exact) {
@@ -111,7 +111,7 @@ SolveReport solve_gcr(const par::Communicator& comm, Hierarchy& hierarchy, Opera
       k.residual(b, x, r);
       size = norm(comm, r);
       exact = true;
-      stalled = false;
+      stalled = 0;
       continue;
     }
     report.converged = report.residual <= options.tolerance;
@@ -119,6 +119,10 @@ SolveReport solve_gcr(const par::Communicator& comm, Hierarchy& hierarchy, Opera
                       !std::isfinite(size) || (options.interrupted && options.interrupted());
     if (stop) {
       return report;
+    }
+    if (stalled > allowed) {  // what can be kept does not hold the residual: begin anew with it
+      kept.clear();
+      stalled = 0;
     }
     Direction newest;
     if (kept.size() > static_cast<std::size_t>(allowed)) {
@@ -128,7 +132,7 @@ SolveReport solve_gcr(const par::Communicator& comm, Hierarchy& hierarchy, Opera
     newest.z.resize(k.size());
     newest.q.resize(k.size());
     const auto load_sides = [&] {
-      if (stalled) {
+      if (stalled > 0) {
         k.load_right_hand_side(kept.back().q, 1 / std::sqrt(kept.back().norm_squared));
       } else {
         k.load_right_hand_side(r, 1 / size);
@@ -152,7 +156,7 @@ SolveReport solve_gcr(const par::Communicator& comm, Hierarchy& hierarchy, Opera
     const Real alpha = dots[1] / newest.norm_squared;
     const Real before = size;
     size = std::sqrt(comm.sum(step(newest, kept, beta, alpha, x, r)));
-    stalled = size > little_gain * before;
+    stalled = size > little_gain * before ? stalled + 1 : 0;
     if (size > slow_gain * before && allowed < options.most_directions) {
       ++allowed;
     }

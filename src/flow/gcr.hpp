@@ -33,7 +33,8 @@ struct SolveReport {
 ///
 /// The Stokes operator is indefinite, so (r, q) may vanish and the step with it (GCR breaks down).
 /// After a step that gained little, the cycle is applied to the last q instead of r, as in
-/// Orthodir: the search space grows all the same.
+/// Orthodir: the search space grows all the same. Not for longer than directions are kept: what is left of r may lie
+/// outside of what the last q leads to, and then r itself, without former directions, is a new beginning.
 /// Each slow mode that a cycle leaves behind costs about one kept direction. Coarse grids that see the
 /// throats (coarse_mobility) leave few, so most_directions is small.
 /// x is double, all else float. Since rounding lets r drift from b - K x by about 1e-7, the true
