@@ -23,7 +23,7 @@ SEES = {
     "sim": {"core", "config", "par", "grid", "geom", "flow", "dem", "io", "analysis", "report"},
     "interop": {"core", "config", "par", "geom", "flow", "sim"},
     "page": {"core", "config", "geom", "dem", "io", "sim"},
-    "validate": {"core", "io", "mobility", "page"},
+    "validate": {"core", "io", "surface", "mobility", "page"},
 }
 
 

@@ -8,6 +8,7 @@ std::vector<Comparison> all_comparisons(bool quick, const std::string& data) {
   add_permeability(list);
   add_contact(list);
   add_impacts(list);
+  add_forces(list);
   add_spheres(list);
   add_mobility(list, quick);
   add_chip(list);

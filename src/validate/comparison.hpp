@@ -97,6 +97,7 @@ void add_inertia(std::vector<Comparison>& list, bool quick);   ///< references.m
 void add_clogging(std::vector<Comparison>& list, bool quick);  ///< references.md E
 void add_cylinder(std::vector<Comparison>& list, bool quick);  ///< thesis table 1, references.md A4
 void add_microscope(std::vector<Comparison>& list);            ///< thesis figs. 17 to 19
+void add_forces(std::vector<Comparison>& list);                ///< references.md D
 /// references.md F, from the pictures of a folder like ../shared/data; nothing where it is empty.
 void add_videos(std::vector<Comparison>& list, const std::string& data);
 void add_chip(std::vector<Comparison>& list);  ///< thesis table 2

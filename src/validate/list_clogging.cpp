@@ -32,9 +32,9 @@ Source share_clogged(std::size_t runs) {
   return Computed{[=](Folders folders) {
     Real clogged = 0;
     for (std::size_t k = 0; k < runs; ++k) {
-      clogged += summary_of(folders[k], "clogged_throats") / static_cast<Real>(runs);
+      clogged += summary_of(folders[k], "clogged_throats");
     }
-    return clogged;
+    return clogged / static_cast<Real>(runs);
   }};
 }
 

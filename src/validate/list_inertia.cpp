@@ -48,8 +48,8 @@ Comparison settling(bool quick) {
 /// St = (rho_p + rho_f/2) u d/(9 mu)
 Comparison wet_impact() {
   Comparison c{.name = "wet_impact",
-               .title = "Rebound from a wall in a liquid",
-               .quantity = "speed after over before, a tenth of a diameter from the wall",
+               .title = "Rebound from a wall in a liquid, a tenth of a diameter from it",
+               .quantity = "speed after over before",
                .along = "Stokes number",
                .reference =
                    "references.md B8: none below St of about 10 (Gondret et al. 2002); "

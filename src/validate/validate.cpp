@@ -133,6 +133,7 @@ int run_validation(const ValidateOptions& options) {
   const auto cores = static_cast<unsigned>(find_cores().physical);
   run_jobs(launches, options.at_once > 0 ? options.at_once : cores, made.commit, tell);
 
+  make_folder(options.output_dir);
   std::size_t red = 0;
   std::vector<std::string> comparisons;
   for (const Comparison& comparison : list) {

@@ -47,6 +47,11 @@ function figure(section, comparison) {
   });
 }
 
+/** "3 runs, 12 s of wall time in all." */
+function ran({ runs, seconds }) {
+  return runs === 0 ? "No run is needed." : `${runs} ${runs > 1 ? "runs" : "run"}, ${duration(seconds)} of wall time in all.`;
+}
+
 /** Wall time of every comparison. */
 function timings(comparisons) {
   const seconds = (value) => (value > 0 ? duration(value) : "–");
@@ -67,7 +72,7 @@ export function showValidation(page, data) {
   page.append(h("nav", { "aria-label": "Contents" }, ...data.comparisons.map(({ name, title }) => h("a", { href: `#${name}-section` }, title)), h("a", { href: "#timings-section" }, "Timings")));
   for (const comparison of data.comparisons) {
     const section = h("section", { id: `${comparison.name}-section` }, h("h2", {}, comparison.title),
-      h("p", {}, `Compared: ${comparison.quantity}. Reference: ${comparison.reference}. ${comparison.runs} ${comparison.runs > 1 ? "runs" : "run"}, ${duration(comparison.seconds)} of wall time in all.`),
+      h("p", {}, `Compared: ${comparison.quantity}. Reference: ${comparison.reference}. ${ran(comparison)}`),
       table(comparison));
     page.append(section);
     if (comparison.along) {
