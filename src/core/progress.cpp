@@ -40,15 +40,21 @@ Progress::~Progress() {
   }
 }
 
+void Progress::start_from(double fraction) {
+  from_ = std::isfinite(fraction) ? std::clamp(fraction, 0.0, 1.0) : 0;
+  shown_tenths_ = static_cast<int>(tenths * from_);
+}
+
 void Progress::update(double fraction) {
   fraction = std::isfinite(fraction) ? std::clamp(fraction, 0.0, 1.0) : 0;
   const double now = now_();
   const double elapsed = now - started_;
   const bool finished = fraction >= 1;
   const std::string left =
-      finished       ? fmt::format("{} in all", format_duration(elapsed))
-      : fraction > 0 ? fmt::format("{} left", format_duration(elapsed * (1 - fraction) / fraction))
-                     : "time left unknown";
+      finished ? fmt::format("{} in all", format_duration(elapsed))
+      : fraction > from_
+          ? fmt::format("{} left", format_duration(elapsed * (1 - fraction) / (fraction - from_)))
+          : "time left unknown";
   if (terminal_) {
     if (finished || !line_open_ || now - shown_at_ >= redraw_interval) {
       shown_at_ = now;

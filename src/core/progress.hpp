@@ -11,7 +11,7 @@ namespace porefines {
 ///
 /// On a terminal: one line that is redrawn, `solve [######....] 60 %, 12 s left`. Elsewhere (a log,
 /// a batch job) plain lines, each time another tenth is done but at most one every few seconds.
-/// The time left is  elapsed (1 - f) / f  with f the fraction done.
+/// The time left is  elapsed (1 - f) / (f - f0)  with f the fraction done, f0 of it before this began.
 /// Only rank 0 constructs one.
 class Progress {
  public:
@@ -25,6 +25,8 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
+  /// What a former call has done of it, 0..1: it took no time of this one.
+  void start_from(double fraction);
   /// @param fraction  0..1, done so far; clamped. Cheap enough for every step.
   void update(double fraction);
 
@@ -36,6 +38,7 @@ class Progress {
   bool terminal_;
   Clock now_;
   double started_;
+  double from_ = 0;
   double shown_at_;
   int shown_tenths_ = 0;
   bool line_open_ = false;

@@ -25,7 +25,7 @@ namespace {
 Outcome simulate(CoupledRun& run, CoupledSink& sink, const RunCanvas& canvas,
                  std::span<const float> solid, const Stopwatch& watch, Log& log) {
   const DryState& now = run.particles.state;
-  Keeper keeper(run.comm(), run.the_case, watch, log,
+  Keeper keeper(run.comm(), run.the_case, watch, log, now.time,
                 [&] { write_checkpoint(run, sink.tables.folder, sink.tables.provenance); });
   if (run.cold) {
     solve_flow(run);

@@ -21,7 +21,7 @@ namespace {
 /// The rows of the moment, the loop, and why it ended.
 Outcome simulate(DryRun& run, Sink& sink, const Stopwatch& watch, Log& log) {
   const DryState& now = run.state;
-  Keeper keeper(run.comm, run.the_case, watch, log,
+  Keeper keeper(run.comm, run.the_case, watch, log, now.time,
                 [&] { write_checkpoint(run, sink.folder, sink.provenance); });
   write_due(run, sink, "");
   while (now.time < run.the_case.run.end_time) {

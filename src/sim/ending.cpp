@@ -10,10 +10,11 @@
 namespace porefines::sim {
 
 Keeper::Keeper(const par::Communicator& comm, const config::Case& the_case, const Stopwatch& watch,
-               Log& log, std::function<void()> write)
+               Log& log, Real from, std::function<void()> write)
     : comm_(comm), the_case_(the_case), watch_(watch), log_(log), write_(std::move(write)) {
   if (comm.is_root()) {
     progress_.emplace("run");
+    progress_->start_from(from / the_case.run.end_time);
   }
 }
 

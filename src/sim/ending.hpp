@@ -32,9 +32,10 @@ struct Outcome {
 /// Watches over a loop: progress, checkpoints, and when to leave it.
 class Keeper {
  public:
+  /// @param from   [s] simulated time at which the loop begins: above 0 after a restart
   /// @param write  writes a checkpoint; collective
   Keeper(const par::Communicator& comm, const config::Case& the_case, const Stopwatch& watch,
-         Log& log, std::function<void()> write);
+         Log& log, Real from, std::function<void()> write);
 
   /// After a step. @return  why to leave, with a checkpoint written: a signal, or run.max_wall.
   /// Collective.

@@ -23,7 +23,7 @@ namespace {
 
 Outcome march(InertialRun& run, InertialSink& sink, std::span<const float> solid,
               const Stopwatch& watch, Log& log) {
-  Keeper keeper(run.comm, run.the_case, watch, log,
+  Keeper keeper(run.comm, run.the_case, watch, log, run.flow->time(),
                 [&] { write_checkpoint(run, sink.folder, sink.provenance); });
   write_inertial(run, sink, solid);
   while (run.flow->time() < run.the_case.run.end_time * (1 - 1e-12)) {

@@ -118,6 +118,7 @@ void dismiss(Crew& crew) {
 
 int work(Crew& crew) {
   Progress progress("study");
+  progress.start_from(fraction(crew));
   for (int naps = 0; !crew.waiting.empty() || !crew.working.empty(); ++naps) {
     if (const int signal = caught_signal(); signal != 0) {
       dismiss(crew);

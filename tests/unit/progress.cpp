@@ -41,6 +41,21 @@ TEST(Progress, a_slow_loop_prints_each_tenth_once) {
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 9);
 }
 
+TEST(Progress, what_was_done_before_took_no_time_of_this_one) {
+  std::ostringstream out;
+  double now = 0;
+  Progress progress("run", out, false, [&] { return now; });
+  progress.start_from(0.6);
+  now = 10;
+  progress.update(0.6);
+  now = 30;
+  progress.update(0.7);  // a tenth in half a minute
+  progress.update(0.75);
+  now = 50;
+  progress.update(0.8);
+  EXPECT_EQ(out.str(), "run: 70 %, 1 min 30 s left\nrun: 80 %, 50 s left\n");
+}
+
 TEST(Progress, on_a_terminal_redraws_one_line) {
   std::ostringstream out;
   double now = 0;
