@@ -1,5 +1,6 @@
 # Files of cases/ inside the program: `porefines validate` runs the same cases that cases/ shows.
 set(shipped
+  filter_cake/case.toml filter_cake/sieve.txt
   settling_sphere/case.toml settling_sphere/sphere.csv
   throat/case.toml throat/fine.csv throat/pillars.txt throat/bridging.toml throat/funnel.txt
   tube_migration/case.toml tube_migration/inside.csv tube_migration/outside.csv tube_migration/tube.png

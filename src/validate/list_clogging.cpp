@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "validate/comparison.hpp"
+#include "validate/read_cake.hpp"
 #include "validate/read_result.hpp"
 #include "validate/shipped.hpp"
 
@@ -91,10 +92,46 @@ Comparison throats(bool quick) {
   return c;
 }
 
+/// cases/filter_cake once the sieve is covered.
+Comparison cake() {
+  constexpr CakeFeed feed{.velocity = 1e-3, .viscosity = 1e-3, .diameter = 10e-6};
+  constexpr Real fed = 0.1;  // volume fraction
+  const auto grown = [=](Folders folders) {
+    return cake_growth(folders[0] + "/out", feed, 0.24, 0.40);
+  };
+  return {
+      .name = "cake",
+      .title = "A filter cake grows on a sieve",
+      .quantity = "over the prediction, with the solid share of the cake as it is",
+      .reference = "references.md E: dL/dt = φ/(φ_m - φ) q; resistance by Kozeny and Carman",
+      .jobs = {shipped_job("pumped", "filter_cake", "case.toml", {"sieve.txt"}, {})},
+      .rows = {{.label = "solid share of the cake over 0.57 (loose random packing 0.55 to 0.60)",
+                .source = Computed{[=](Folders folders) { return grown(folders).share / 0.57; }},
+                .reference = 1,
+                .tolerance = 0.06},
+               {.label = "speed of its front",
+                .source = Computed{[=](Folders folders) {
+                  const CakeGrowth found = grown(folders);
+                  return found.front / (fed * feed.velocity / (found.share - fed));
+                }},
+                .reference = 1,
+                .tolerance = 0.15},
+               {.label = "resistance of what was added",
+                .source = Computed{[=](Folders folders) {
+                  const CakeGrowth found = grown(folders);
+                  return found.resistance / kozeny_carman(found.share, feed.diameter);
+                }},
+                .reference = 1,
+                .tolerance = 0.3}}};
+}
+
 }  // namespace
 
 void add_clogging(std::vector<Comparison>& list, bool quick) {
   list.push_back(throats(quick));
+  if (!quick) {
+    list.push_back(cake());
+  }
 }
 
 }  // namespace porefines::validate
