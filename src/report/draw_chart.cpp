@@ -177,33 +177,68 @@ void draw_curve(cv::Mat& canvas, const Curve& c, const Axis& x, const Axis& y, c
   }
 }
 
-/// On the side of the upper third that fewer points pass.
-bool legend_left(const std::vector<Curve>& curves, const Axis& x, const Axis& y) {
-  int left = 0;
-  int right = 0;
+constexpr int legend_line = 25;
+
+/// Of all named curves together.
+cv::Size legend_size(const std::vector<Curve>& curves) {
+  cv::Size size(0, 0);
   for (const Curve& c : curves) {
-    for (std::size_t i = 0; i < std::min(c.x.size(), c.y.size()); ++i) {
-      if (x.shows(c.x[i]) && y.shows(c.y[i]) && y.at(c.y[i]) < plot.y + plot.height / 3) {
-        ++(x.at(c.x[i]) < plot.x + plot.width / 2 ? left : right);
-      }
+    if (!c.name.empty()) {
+      size.width = std::max(size.width, text_width(c.name, {.height = layout::text}) + 8);
+      size.height += legend_line;
     }
   }
-  return left < right;
+  return size;
 }
 
-void draw_legend(cv::Mat& canvas, const std::vector<Curve>& curves, bool at_left) {
-  int y = plot.y + 20;
+/// The corner through which the least of the curves passes; in doubt above, and on the left.
+cv::Rect quiet_corner(const std::vector<Curve>& curves, const Axis& x, const Axis& y) {
+  constexpr int steps = 16;  // looked at between two points
+  const cv::Size size = legend_size(curves);
+  const int left = plot.x + 10;
+  const int right = plot.x + plot.width - 12 - size.width;
+  const int upper = plot.y + 2;
+  const int lower = plot.y + plot.height - 6 - size.height;
+  cv::Rect best;
+  int fewest = std::numeric_limits<int>::max();
+  for (const cv::Point corner :
+       {cv::Point(left, upper), {right, upper}, {left, lower}, {right, lower}}) {
+    const cv::Rect box(corner, size);
+    int inside = 0;
+    for (const Curve& c : curves) {
+      for (std::size_t i = 1; i < std::min(c.x.size(), c.y.size()); ++i) {
+        if (!x.shows(c.x[i]) || !y.shows(c.y[i]) || !x.shows(c.x[i - 1]) || !y.shows(c.y[i - 1])) {
+          continue;
+        }
+        const cv::Point from(x.at(c.x[i - 1]), y.at(c.y[i - 1]));
+        const cv::Point way = cv::Point(x.at(c.x[i]), y.at(c.y[i])) - from;
+        for (int k = 0; k <= steps; ++k) {
+          inside += box.contains(from + way * k / steps) ? 1 : 0;
+        }
+      }
+    }
+    if (inside < fewest) {
+      fewest = inside;
+      best = box;
+    }
+  }
+  return best;
+}
+
+void draw_legend(cv::Mat& canvas, const std::vector<Curve>& curves, const cv::Rect& box) {
+  const bool at_left = box.x < plot.x + plot.width / 2;
+  int y = box.y + 18;
   for (std::size_t k = 0; k < curves.size(); ++k) {
     if (curves[k].name.empty()) {
       continue;
     }
     const TextStyle style{.height = layout::text, .colour = inks[k % inks.size()]};
     const int width = text_width(curves[k].name, style);
-    const int left = at_left ? plot.x + 14 : plot.x + plot.width - 16 - width;
+    const int left = at_left ? box.x + 4 : box.x + box.width - 4 - width;
     cv::rectangle(canvas, cv::Rect(left - 4, y - 18, width + 8, 24), cv::Scalar(255, 255, 255),
                   cv::FILLED);
     draw_text(canvas, curves[k].name, left, y, style);
-    y += 25;
+    y += legend_line;
   }
 }
 
@@ -235,7 +270,7 @@ Picture draw_chart(const std::vector<Curve>& curves, const ChartStyle& style) {
   for (std::size_t k = 0; k < curves.size(); ++k) {
     draw_curve(canvas, curves[k], x, y, inks[k % inks.size()]);
   }
-  draw_legend(canvas, curves, legend_left(curves, x, y));
+  draw_legend(canvas, curves, quiet_corner(curves, x, y));
   return to_picture(canvas);
 }
 
