@@ -102,8 +102,8 @@ SolveReport solve_gcr(const par::Communicator& comm, Hierarchy& hierarchy, Opera
   SolveReport report;
   std::deque<Direction> kept;
   int allowed = options.directions;
-  bool exact = true;     // r is b - K x to double precision
-  int stalled = 0;       // steps in a row that gained little
+  bool exact = true;  // r is b - K x to double precision
+  int stalled = 0;    // steps in a row that gained little
   while (true) {
     report.residual = reference > 0 ? size / reference : 0;
     if (report.residual <= options.tolerance && !exact) {
