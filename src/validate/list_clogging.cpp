@@ -97,7 +97,7 @@ Comparison cake() {
   constexpr CakeFeed feed{.velocity = 1e-3, .viscosity = 1e-3, .diameter = 10e-6};
   constexpr Real fed = 0.1;  // volume fraction
   const auto grown = [=](Folders folders) {
-    return cake_growth(folders[0] + "/out", feed, 0.24, 0.40);
+    return cake_growth(folders[0] + "/out", feed, 0.22, 0.32);
   };
   return {
       .name = "cake",
