@@ -212,6 +212,13 @@ struct Case {
   return subject.flow.regime == Regime::navier_stokes;
 }
 
+/// Creeping fines in one solve with their fluid: a velocity at an opening is kept as a rate, by its pressure. Given as it is, it would
+/// leave a plug no way out, and the solver neither.
+[[nodiscard]] inline bool pumps_velocities(const Case& subject) {
+  return is_coupled(subject) && !is_inertial(subject) &&
+         subject.coupling.method == CouplingMethod::one_solve;
+}
+
 /// Particles without a fluid.
 [[nodiscard]] inline bool is_dry(const Case& subject) {
   return subject.flow.regime == Regime::none;

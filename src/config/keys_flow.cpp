@@ -113,7 +113,8 @@ std::vector<Key> opening_keys(const std::string& name, std::optional<Opening> Fl
           drive("flow_rate", DriveKind::flow_rate, kind::flow_rate, flow_rates,
                 "volume per time through the face, as a syringe pump gives it"),
           drive("velocity", DriveKind::velocity, kind::velocity, velocities,
-                "uniform normal velocity")};
+                "uniform normal velocity; with creeping fines the rate that it makes, "
+                "as by a pump")};
 }
 
 }  // namespace

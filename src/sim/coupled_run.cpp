@@ -148,8 +148,8 @@ int run_coupled_case(const config::Case& the_case, const RunOptions& options,
   flow::StokesSolver solver(comm, prepared.cut, domain.spacing, domain.boundaries,
                             the_case.fluid.viscosity);
   solver.set_roughness(the_case.coupling.roughness);
-  const config::Case told =
-      config::is_inertial(the_case) ? with_velocities(the_case, domain) : the_case;
+  const config::Case told = config::is_inertial(the_case) ? with_velocities(the_case, domain)
+                                                          : with_rates(the_case, domain);
   Scene scene = set_scene(told, prepared, solver, provenance, comm, watch, *log);
   const config::Case boxed = with_box_of_flow(told);
   CoupledRun run = make_coupled_run(boxed, prepared.sample, domain, prepared.cut, solver,

@@ -75,16 +75,11 @@ template <typename Report>
 void take_note(CoupledRun& run, const Report& report, Real wanted) {
   count_solve(run, report.cycles, report.residual);
   if (!report.converged) {
-    const auto& kind = run.domain.boundaries.kind;
-    const bool given = std::find(kind.begin(), kind.end(), flow::FaceKind::velocity) != kind.end();
     throw RunError(
         fmt::format("the solve at {:.6g} s {}: residual {:.3g} after {} cycles, wanted {:.3g}\n"
-                    "try {}a smaller grid.cell_size, or a larger flow.max_cycles",
+                    "try a smaller grid.cell_size, or a larger flow.max_cycles",
                     run.time(), std::isfinite(report.residual) ? "did not converge" : "broke down",
-                    report.residual, report.cycles, wanted,
-                    given ? "a flow_rate in place of velocity at the inlet (a plug leaves a given "
-                            "velocity no way out), "
-                          : ""));
+                    report.residual, report.cycles, wanted));
   }
 }
 

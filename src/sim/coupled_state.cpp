@@ -78,6 +78,17 @@ void start_projection(CoupledRun& run, const par::Communicator& comm) {
 
 }  // namespace
 
+config::Case with_rates(config::Case the_case, const Domain& domain) {
+  const bool pumps = config::pumps_velocities(the_case);
+  for (auto* opening : {&the_case.flow.inlet, &the_case.flow.outlet}) {
+    if (pumps && *opening && (*opening)->kind == config::DriveKind::velocity) {
+      (*opening)->kind = config::DriveKind::flow_rate;
+      (*opening)->value *= domain.area();
+    }
+  }
+  return the_case;
+}
+
 config::Case with_box_of_flow(config::Case the_case) {
   const config::Flow& flow = the_case.flow;
   the_case.box.periodic = flow.periodic;

@@ -83,6 +83,9 @@ struct CoupledRun {
 /// smooth walls, the others rough ones.
 [[nodiscard]] config::Case with_box_of_flow(config::Case the_case);
 
+/// Velocities of openings as rates through the whole face where config::pumps_velocities, else the case as it is.
+[[nodiscard]] config::Case with_rates(config::Case the_case, const Domain& domain);
+
 /// Box, walls and inlets, no particles yet; `clean` is the flow without them. Collective.
 /// @throws InputError  anything wrong with them
 [[nodiscard]] CoupledRun make_coupled_run(const config::Case& the_case, const geom::Sample& sample,

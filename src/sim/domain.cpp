@@ -95,7 +95,8 @@ flow::FaceKind kind_of(const config::Flow& flow, BoxFace face) {
 flow::FaceKind kind_of(const config::Case& the_case, BoxFace face) {
   const flow::FaceKind kind = kind_of(the_case.flow, face);
   if (!config::is_inertial(the_case)) {
-    return kind;
+    const bool pumped = config::pumps_velocities(the_case) && kind == flow::FaceKind::velocity;
+    return pumped ? flow::FaceKind::pressure : kind;  // see with_rates()
   }
   for (const auto& opening : {the_case.flow.inlet, the_case.flow.outlet}) {
     if (opening && opening->face == face && opening->kind == config::DriveKind::flow_rate) {

@@ -115,6 +115,24 @@ TEST_F(Coupled, a_pump_keeps_its_rate) {
   EXPECT_NEAR(number(summary(), "flow_rate_m3_s") / 0.5e-12, 1, 1e-3);
 }
 
+TEST_F(Coupled, a_velocity_with_fines_is_kept_as_by_a_pump) {
+  const auto tracks_with = [&](const std::string& inlet) {
+    std::string content = slit_case;
+    content.replace(content.find("pressure = \"20 Pa\""), 18, inlet);
+    const auto result = run(content, {"run.end_time=4 ms"});
+    EXPECT_EQ(result.exit_code, 0) << result.output;
+    return test::read_csv(folder_ / "out/tracks.csv");
+  };
+  const test::Csv rate = tracks_with("flow_rate = \"0.512 nL/s\"");
+  const test::Csv velocity = tracks_with("velocity = \"2 mm/s\"");
+  ASSERT_EQ(velocity.rows.size(), rate.rows.size());
+  ASSERT_GE(rate.rows.size(), 2U);
+  for (std::size_t i = 0; i < rate.rows.size(); ++i) {
+    EXPECT_NEAR(velocity.at(i, "x_m") / rate.at(i, "x_m"), 1, 1e-9);
+  }
+  EXPECT_NEAR(number(summary(), "flow_rate_m3_s") / 0.512e-12, 1, 1e-3);
+}
+
 TEST_F(Coupled, a_pump_against_a_plugged_throat_settles) {
   place(9e-6);
   std::string content = throat_case;
