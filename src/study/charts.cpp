@@ -38,7 +38,7 @@ std::string others(const Study& study, const Group& group) {
   std::string text;
   for (std::size_t a = 1; a < study.axes.size(); ++a) {
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", study.axes[a].name,
-                        study.axes[a].points[group.at[a]].values.front());
+                        study.axes[a].points[group.at[a]].label);
   }
   return text;
 }

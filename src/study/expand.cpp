@@ -98,9 +98,8 @@ std::vector<Member> expand(const Study& study) {
 std::string describe_group(const Study& study, const Member& member) {
   std::string text;
   for (std::size_t a = 0; a < study.axes.size(); ++a) {
-    const AxisPoint& point = study.axes[a].points[member.at[a]];
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", study.axes[a].name,
-                        fmt::join(point.values, " "));
+                        study.axes[a].points[member.at[a]].label);
   }
   return text.empty() ? "the case" : text;
 }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -120,6 +121,19 @@ void fill_values(Axis& axis, const Node& values) {
   }
 }
 
+/// Points of one label get all of their values as labels.
+void tell_apart(std::vector<AxisPoint>& points) {
+  std::set<std::string> labels;
+  for (const AxisPoint& point : points) {
+    labels.insert(point.label);
+  }
+  if (labels.size() < points.size()) {
+    for (AxisPoint& point : points) {
+      point.label = fmt::format("{}", fmt::join(point.values, " "));
+    }
+  }
+}
+
 /// at = [...] when given, otherwise what the first key's values are.
 void place_points(Axis& axis, const Node& node) {
   const Node* at = config::find(node, "at");
@@ -130,11 +144,12 @@ void place_points(Axis& axis, const Node& node) {
   }
   for (std::size_t i = 0; i < axis.points.size(); ++i) {
     AxisPoint& point = axis.points[i];
-    if (!place_value(list != nullptr ? as_setting((*list)[i]) : point.values.front(), point.at,
-                     axis.unit)) {
+    point.label = list != nullptr ? as_setting((*list)[i]) : point.values.front();
+    if (!place_value(point.label, point.at, axis.unit)) {
       point.at = static_cast<Real>(i + 1);
     }
   }
+  tell_apart(axis.points);
 }
 
 }  // namespace

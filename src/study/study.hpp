@@ -14,6 +14,7 @@ namespace porefines::study {
 struct AxisPoint {
   std::vector<std::string> values;  ///< as on the command line: "4 um"
   Real at = 0;                      ///< SI, where it lies in plots; its count where it is no number
+  std::string label = {};  ///< for people: the word of `at`, else the first value, else all of them
 };
 
 /// [[axis]]: keys that change together. Axes multiply.

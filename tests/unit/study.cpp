@@ -69,6 +69,25 @@ at = [1, 2]
   EXPECT_DOUBLE_EQ(study.axes[1].points[1].at, 2);
 }
 
+TEST_F(StudyFile, points_are_called_by_their_place_or_their_first_value) {
+  const auto names_of = [&](const std::string& axis) {
+    const Study study = parse(
+        "[[axis]]\nname = \"liquid\"\nkeys = [\"fluid.viscosity\", \"fluid.density\"]\n" + axis);
+    std::vector<std::string> names;
+    for (const Member& member : expand(study)) {
+      names.push_back(describe_group(study, member));
+    }
+    return names;
+  };
+  const std::string values =
+      "values = [[\"1 mPa s\", \"1000 kg/m^3\"], [\"2 mPa s\", \"1100 kg/m^3\"]]\n";
+  EXPECT_EQ(names_of(values), (std::vector<std::string>{"liquid 1 mPa s", "liquid 2 mPa s"}));
+  EXPECT_EQ(names_of(values + "at = [0.05, 3]\n"),
+            (std::vector<std::string>{"liquid 0.05", "liquid 3"}));
+  EXPECT_EQ(names_of("values = [[\"1 mPa s\", \"1000 kg/m^3\"], [\"1 mPa s\", \"1100 kg/m^3\"]]\n"),
+            (std::vector<std::string>{"liquid 1 mPa s 1000 kg/m^3", "liquid 1 mPa s 1100 kg/m^3"}));
+}
+
 /// Adding repeats keeps the folders of those that are done.
 TEST_F(StudyFile, members_keep_their_folders_when_a_study_grows) {
   const std::string axis =
