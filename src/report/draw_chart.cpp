@@ -21,8 +21,14 @@ const cv::Scalar pale(226, 229, 233);
 constexpr int wide = 900;
 constexpr int high = 560;
 const cv::Rect plot(124, 70, wide - 124 - 40, high - 70 - 84);
-constexpr std::array<Rgb, 5> inks{
-    {{38, 98, 152}, {196, 78, 44}, {52, 132, 88}, {126, 82, 152}, {120, 112, 100}}};
+constexpr std::array<Rgb, 8> inks{{{38, 98, 152},
+                                   {196, 78, 44},
+                                   {52, 132, 88},
+                                   {126, 82, 152},
+                                   {120, 112, 100},
+                                   {30, 158, 170},
+                                   {190, 142, 30},
+                                   {196, 82, 138}}};
 
 cv::Scalar scalar(const Rgb& c) {
   return {static_cast<double>(c[0]), static_cast<double>(c[1]), static_cast<double>(c[2])};
