@@ -38,6 +38,27 @@ std::vector<flow::SphereMotion> solve(flow::StokesSolver& solver, const flow::Dr
   return solver.sphere_motions();
 }
 
+/// Two spheres of radius a in the middle of a box of n cells, their centres `distance` radii apart along `way`.
+std::array<flow::Sphere, 2> pair_along(const Vec3& way, int n, Real a, Real distance) {
+  const Vec3 middle{n / 2.0 + 0.13, n / 2.0 + 0.37, n / 2.0 - 0.21};
+  const Vec3 half = (distance * a / 2) * way;
+  return {sphere(1, middle - half, a), sphere(2, middle + half, a)};
+}
+
+/// A wall below, a lid above.
+flow::Boundaries lid_along_z() {
+  flow::Boundaries walls = slit_along_z();
+  walls.kind[5] = flow::FaceKind::lid;
+  return walls;
+}
+
+/// The lid of a box nz cells high makes a shear flow along x of this rate.
+flow::Drive shear_flow(Real rate, int nz) {
+  flow::Drive shear;
+  shear.lid[5] = {rate * nz, 0, 0};
+  return shear;
+}
+
 flow::WallGap floor_below(Real gap) {
   return {0, {0, 0, 1}, gap, 1};
 }
@@ -67,12 +88,9 @@ AlongWall along_wall(int size, Real height) {
   const Real a = size / 2.0;
   const int nx = 14 * size;
   const int nz = 8 * size;
-  flow::Boundaries walls = slit_along_z();
-  walls.kind[5] = flow::FaceKind::lid;
-  flow::StokesSolver solver = open_box({nx, nx, nz}, walls);
+  flow::StokesSolver solver = open_box({nx, nx, nz}, lid_along_z());
   const flow::Drive still;
-  flow::Drive shear;
-  shear.lid[5] = {rate * nz, 0, 0};
+  const flow::Drive shear = shear_flow(rate, nz);
   AlongWall mean;
   for (const Vec3& offset : on_wall) {
     flow::Sphere q = sphere(1, {nx / 2.0 + offset.x, nx / 2.0 + offset.y, height * a}, a);
@@ -113,9 +131,7 @@ Approach approach(int size, Real distance, Real exact) {
   Approach out;
   for (const Vec3& given : ways) {
     const Vec3 way = given / norm(given);
-    const Vec3 middle{n / 2.0 + 0.13, n / 2.0 + 0.37, n / 2.0 - 0.21};
-    flow::Sphere one = sphere(1, middle - (distance * a / 2) * way, a);
-    flow::Sphere two = sphere(2, middle + (distance * a / 2) * way, a);
+    auto [one, two] = pair_along(way, n, a, distance);
     one.force = way;
     two.force = Vec3{} - way;
     const auto m = solve(solver, {}, {one, two}, {}, 1e-5);
@@ -136,9 +152,7 @@ Real together(int size, Real distance) {
   Real speed = 0;
   for (const Vec3& given : ways) {
     const Vec3 way = given / norm(given);
-    const Vec3 middle{n / 2.0 + 0.13, n / 2.0 + 0.37, n / 2.0 - 0.21};
-    flow::Sphere one = sphere(1, middle - (distance * a / 2) * way, a);
-    flow::Sphere two = sphere(2, middle + (distance * a / 2) * way, a);
+    auto [one, two] = pair_along(way, n, a, distance);
     one.force = two.force = way;
     flow::Drive back;  // what holds the box against both
     back.force = (-2 / volume) * way;
@@ -166,11 +180,8 @@ Real shear_spin(int size) {
   constexpr Real rate = 1e-2;
   const int nx = 6 * size;
   const int nz = 8 * size;
-  flow::Boundaries walls = slit_along_z();
-  walls.kind[5] = flow::FaceKind::lid;
-  flow::StokesSolver solver = open_box({nx, nx, nz}, walls);
-  flow::Drive shear;
-  shear.lid[5] = {rate * nz, 0, 0};
+  flow::StokesSolver solver = open_box({nx, nx, nz}, lid_along_z());
+  const flow::Drive shear = shear_flow(rate, nz);
   const flow::Sphere q = sphere(1, {nx / 2.0 + 0.13, nx / 2.0 + 0.31, nz / 2.0 + 0.22}, size / 2.0);
   return solve(solver, shear, {q}).front().spin.y / (rate / 2);
 }
@@ -179,11 +190,8 @@ Real intrinsic_viscosity(int size) {
   constexpr Real rate = 1e-2;
   const int n = 8 * size;
   const Real a = size / 2.0;
-  flow::Boundaries walls = slit_along_z();
-  walls.kind[5] = flow::FaceKind::lid;
-  flow::StokesSolver solver = open_box({n, n, n}, walls);
-  flow::Drive shear;
-  shear.lid[5] = {rate * n, 0, 0};
+  flow::StokesSolver solver = open_box({n, n, n}, lid_along_z());
+  const flow::Drive shear = shear_flow(rate, n);
   const flow::Sphere q = sphere(1, {n / 2.0 + 0.13, n / 2.0 + 0.31, n / 2.0 + 0.22}, a);
   solve(solver, shear, {q}, {}, 1e-7);
   const std::vector<float> along = solver.cell_fields().velocity[0];

@@ -48,9 +48,12 @@ struct Extrapolated {
   std::vector<Real> cells = {};  ///< [m] of the jobs at `job` and after it
 };
 
-/// Whatever else a number is read from: of the folders of the jobs at `job` and after it.
+/// Of the jobs at `job` and after it.
+using Folders = std::span<const std::string>;
+
+/// Whatever else a number is read from.
 struct Computed {
-  std::function<Real(std::span<const std::string> folders)> read;
+  std::function<Real(Folders folders)> read;
 };
 
 using Source = std::variant<FromSummary, FromTracks, Extrapolated, Computed>;

@@ -12,8 +12,6 @@
 namespace porefines::validate {
 namespace {
 
-using Folders = std::span<const std::string>;
-
 /// One seed of cases/throat/bridging.toml, four cells a diameter [um].
 Job bridging(const std::string& name, Real diameter, int seed,
              const std::vector<std::string>& more = {}) {

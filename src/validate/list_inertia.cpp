@@ -11,8 +11,6 @@
 namespace porefines::validate {
 namespace {
 
-using Folders = std::span<const std::string>;
-
 Job fall(const std::string& name, const std::vector<std::string>& set) {
   return shipped_job(name, "settling_sphere", "case.toml", {"sphere.csv"}, set);
 }

@@ -9,8 +9,6 @@
 namespace porefines::validate {
 namespace {
 
-using Folders = std::span<const std::string>;
-
 Job tracked(const std::string& name, const std::string& frames, const std::string& pixel) {
   return {.name = name,
           .instead = {"track", frames, "video.pixel_size=" + pixel, "video.frame_rate=24 Hz",
